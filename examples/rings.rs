@@ -8,7 +8,7 @@ static RING: Mesh = shape!(torus(fx!(0.25), 64, 24));
 
 fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
     let mut canvas = Canvas::new(color, 320, 240)?.with_depth(depth)?; // your memory
-    let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let view = projection * camera;
     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?; // ambient, diffuse

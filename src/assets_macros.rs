@@ -7,8 +7,8 @@
 /// static MODEL: Mesh = include_mesh!("../tests/models/house.obj");
 /// assert_eq!(MODEL.faces().len(), 14);
 ///
-/// // With 16-bit positions, which take half the flash: see Mesh::short.
-/// static SMALL: Mesh = include_mesh!("../tests/models/house.obj", short);
+/// // With 16-bit positions, which take half the flash: see Mesh::quantized.
+/// static SMALL: Mesh = include_mesh!("../tests/models/house.obj", quantized);
 /// assert_eq!(SMALL.positions().len(), MODEL.positions().len());
 ///
 /// // With small attributes, too.
@@ -27,8 +27,8 @@
 ///
 /// | option | meaning |
 /// |---|---|
-/// | `short` | positions of 16 bits: see [`Mesh::short`](crate::Mesh::short) |
-/// | `quantized_16`, `quantized_8` | positions of 16 bits, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
+/// | `quantized` | [positions of 16 bits](crate::mesh#less-flash) |
+/// | `quantized_16`, `quantized_8` | the same, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
 /// | `normals` | normals for corners that have none: the mean of the normals, weighted by area, of the faces around the point that meet the corner's face at 60 degrees or less. If an OBJ file puts the corner's face into a smoothing group, the mean is over the faces of that group; if it switches smoothing off, the normal is the face's own |
 /// | `uvs` | texture coordinates for triangles that have none: each triangle is projected to the side of the model's bounding box that it faces most |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |

@@ -158,7 +158,7 @@ errors! {
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.1), fx!(100)).unwrap_err();
+    /// let error = Projection::perspective(deg!(180), (4, 3), fx!(0.5), fx!(50)).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
     ///     "field of view is 180 degrees: it must be above 0 and below 180 degrees",

@@ -38,7 +38,7 @@
 //!
 //! fn frame(now_ms: u64, display: &mut MockDisplay<Rgb565>) -> Result<(), Error> {
 //!     let projection = Projection::perspective(
-//!         deg!(60), (WIDTH, HEIGHT), fx!(0.1), fx!(100))?; // Err if near is 0
+//!         deg!(60), (WIDTH, HEIGHT), fx!(0.5), fx!(50))?; // Err if near is 0
 //!     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
 //!     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(now_ms)); // time in, angle out
 //!     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
@@ -70,7 +70,7 @@
 //! ```
 //!
 #![cfg_attr(doc, doc = page_picture!("first", "The program's scene on 240x160 pixels: a checkered cube, and a text"))]
-//! Import items of embedded-graphics one by one, because its prelude has its own `Angle`, `Primitive` and `Transform`.
+//! Import items of embedded-graphics one by one, because its prelude has its own `Angle` and `Transform`.
 //!
 //! # Parts
 //!
@@ -83,7 +83,7 @@
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`] |
 //! | [`DrawList`]: triangles or edges transformed once for all bands | [`DrawList::new`], [`prepare`](DrawList::prepare) | argument of [`Canvas::draw_prepared`] |
 //! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
-//! | [`Sprites`]: billboards, particles | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
+//! | [`Sprites`]: billboards, particles, upright or turned | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
 //! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
 //! | [`Viewport`]: where the picture is | [`Viewport::new`], [`Canvas::viewport`] | without a canvas, tells where a point or a mesh is on the screen: [`Viewport::project`], [`rectangle_on_screen`](Viewport::rectangle_on_screen) |
 //! | [`Ray`] of a pixel | [`Viewport::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
@@ -316,7 +316,6 @@ pub use error::Error;
 pub use pipeline::Thing;
 pub use pipeline::{
     DrawList, DrawOptions, Drawn, FacesOrEdges, Hit, Object, Prepared, Ray, ScreenPoint, ShadeList,
-    Shades,
 };
 pub use raster::{Cull, LineStyle, PointStyle};
 
@@ -326,7 +325,7 @@ pub use {
     canvas::Canvas,
     math::{Matrix4, Transform, Vec2, Vec3},
     mesh::{Corner, Index, Mesh, Outline, Primitive, Sprites},
-    num::{Angle, Fraction, Rate, Scalar, Spin, TexCoord},
+    num::{Angle, Fraction, Rate, Scalar, TexCoord},
     shade::{
         DepthView, FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, NormalView,
         PixelFormat, PointLight, Shader, ShaderFor, SpotLight, Textured, Viewer,
@@ -342,8 +341,8 @@ struct Readme;
 
 /// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has its own `Angle`, `Primitive` and `Transform`. If a program imports both
-/// preludes and uses one of these three items, it must also import that item by name:
+/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses one
+/// of these two items, it must also import that item by name:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;
@@ -360,11 +359,10 @@ pub mod prelude {
     pub use crate::canvas::{LinearDepth, Native};
     #[doc(no_inline)]
     pub use crate::{
-        Angle, Camera, Canvas, Corner, Cull, DepthView, DrawList, DrawOptions, Drawn, Error,
-        FaceColors, Flat, Fog, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp,
-        NormalView, Object, Outline, PixelFormat, PointLight, PointStyle, Primitive, Projection,
-        Rate, Ray, Scalar, Shader, ShaderFor, SpotLight, Sprites, TexCoord, Texture, Textured,
-        Transform, Vec2, Vec3, Viewer, Viewport, Window,
+        Angle, Camera, Canvas, Corner, Cull, DrawList, DrawOptions, Drawn, Error, FaceColors, Flat,
+        Fog, Fragment, Gouraud, Lamp, Light, Lighting, LineStyle, Mesh, Mvp, Object, Outline,
+        PixelFormat, PointLight, PointStyle, Projection, Rate, Ray, Scalar, Shader, ShaderFor,
+        SpotLight, Sprites, TexCoord, Texture, Textured, Transform, Vec2, Vec3, Viewer, Viewport,
     };
     #[doc(no_inline)]
     pub use crate::{deg, fx, outline, shape, vec2, vec3};

@@ -22,7 +22,7 @@ macro_rules! format {
 }
 
 format!(Display2Format: Error, Angle, Scalar, TexCoord, Subpixel, Fraction, Vec2, Vec3);
-format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape, Window, {K: ProjectionKind} Projection<K>);
+format!(Debug2Format: Hit, Matrix4, PointStyle, ScreenPoint, Segment, Shape<'_>, Window, {K: ProjectionKind} Projection<K>);
 
 #[cfg(test)]
 mod tests {
@@ -32,7 +32,7 @@ mod tests {
     use crate::mode::{Affine, Compact, Exact, Fast, Newton};
     use crate::shade::{Colored, PerFace, Shiny, Texels, Tolerance, TwoSided, Within};
     use crate::texture::{Bilinear, Nearest};
-    use crate::{Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate, Spin};
+    use crate::{Camera, Cull, DrawOptions, Drawn, Fragment, Light, Mvp, Rate};
     use crate::{LineStyle, Transform, Viewport, math::Direction, view::Aspect};
 
     const fn logs<T: Format>() {}
@@ -40,16 +40,7 @@ mod tests {
     /// Compiles only if every type that a program may want to log implements `Format`.
     #[test]
     fn values_can_be_logged() {
-        logs::<(
-            Error,
-            Scalar,
-            TexCoord,
-            Subpixel,
-            Fraction,
-            Angle,
-            Rate,
-            Spin,
-        )>();
+        logs::<(Error, Scalar, TexCoord, Subpixel, Fraction, Angle, Rate)>();
         logs::<(Vec2, Vec3, Direction, Matrix4, Transform, Counts, Missing)>();
         logs::<(
             Shape,

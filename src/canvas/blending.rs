@@ -61,7 +61,7 @@ pub struct Replace;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{prelude::*, canvas::Opacity};
+/// use fixel::{Window, prelude::*, canvas::Opacity};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -83,7 +83,7 @@ pub struct Opacity(pub u8);
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
-/// use fixel::{prelude::*, canvas::Add};
+/// use fixel::{Window, prelude::*, canvas::Add};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -106,7 +106,7 @@ pub struct Add;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, canvas::Multiply};
+/// use fixel::{Window, prelude::*, canvas::Multiply};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

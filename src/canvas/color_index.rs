@@ -12,7 +12,7 @@ use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb888, raw::RawU24};
 /// use embedded_graphics::prelude::*;
-/// use fixel::{prelude::*, canvas::ColorIndex};
+/// use fixel::{Window, prelude::*, canvas::ColorIndex};
 /// static GLOW: [Rgb888; 3] = [Rgb888::BLACK, Rgb888::RED, Rgb888::YELLOW];
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;

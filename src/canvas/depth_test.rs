@@ -136,7 +136,7 @@ depth_tests! {
         ///
         /// ```
         /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
-        /// use fixel::{prelude::*, canvas::{Biased, Multiply, TestNearer}};
+        /// use fixel::{Window, prelude::*, canvas::{Biased, Multiply, TestNearer}};
         /// static RING: Mesh = shape!(torus(fx!(0.4), 16, 8));
         /// static GROUND: Mesh = shape!(plane(1, 1));
         /// let projection = Projection::orthographic(Window::centered(fx!(4), fx!(4)), fx!(0), fx!(8))?;
@@ -421,7 +421,7 @@ mod tests {
     /// A square in the near plane, moved nearer, and moved as far away as possible.
     #[test]
     fn stored_depths_do_not_wrap() {
-        use crate::prelude::*;
+        use crate::{Window, prelude::*};
         use embedded_graphics::pixelcolor::Gray8;
         static SQUARE: Mesh = shape!(plane(1, 1));
         fn drawn<D: DepthBuffer>(test: Biased<WriteOnly>) -> [u16; 16] {

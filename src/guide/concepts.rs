@@ -33,7 +33,7 @@
 //!     let mut canvas = Canvas::new(&mut colors, 160, 120)?.with_depth(&mut depths)?;
 //!
 //!     let size = canvas.frame_size();
-//!     let projection = Projection::perspective(deg!(45), size, fx!(0.1), fx!(100))?;
+//!     let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(50))?;
 //!     let camera = Camera::look_at(vec3!(0, 2, 5), Vec3::ZERO, Vec3::Y)?;
 //!     let turn = Transform::rotate_y(deg!(30));
 //!     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.3), fx!(0.7))?; // toward the sun; ambient, diffuse
@@ -222,9 +222,19 @@
 #![doc = include_str!("diagrams/depth.svg")]
 //!
 //! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 possible depths stand for distances
-//! between the near plane and twice the near plane's distance. So put the near plane as far away as the scene allows.
-//! The far plane can be at any distance, because it does not change how depths are stored. For scenes that reach far
-//! beyond 1,000 times the near plane's distance, use the format [`FloatDepth`](crate::canvas::FloatDepth).
+//! between the near plane and twice the near plane's distance, and few are left for what is far away. Therefore:
+//!
+//! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away.**
+//! Then the nearer of two surfaces hides the other one wherever their distances from the eye differ by 1 %. If the near
+//! plane is too close, hidden surfaces shine through distant ones, and no error says so: with the planes at 0.01 and
+//! 100, a square at a distance of 90 does not hide a square 3 units behind it that is drawn later. If a scene needs a greater ratio, draw
+//! it with [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format), in the same memory: this format is
+//! good for a ratio of 65,536. But a frame then takes up to a third more instructions, and in modes
+//! [`Fast`](crate::mode::Fast) and [`Affine`](crate::mode::Affine) on a Cortex-M0+ up to four fifths more.
+//!
+//! The number 500 leaves some room: [the step of depth](crate::guide::mathematics::pixels#a-depth-step) reaches 1 % of
+//! the distance at 655 times the near plane's distance. The far plane does not change the stored depths. It only clips
+//! what is too far away to be told apart.
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) holds transformed
 //! triangles, and can sort them in this order.
@@ -259,7 +269,7 @@
 //!     }
 //!     Ok(())
 //! }
-//! # let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.1), fx!(100))?;
+//! # let projection = Projection::perspective(deg!(45), (320, 240), fx!(0.5), fx!(50))?;
 //! # frame(&(projection * Transform::translate(vec3!(0, 0, -4))))?;
 //! # Ok::<(), Error>(())
 //! ```
@@ -285,7 +295,7 @@
 //! | lit surfaces are dark | the direction of a [`Light`](crate::Light) points to the light, in world space; surfaces that face away from the light have only the light's ambient brightness |
 //! | a mirror image is lit from the wrong side | mirror the camera, not the model: [`Camera::mirrored`](crate::Camera::mirrored) |
 //! | a spot or a highlight has jagged edges, or is missing | light is computed at the corners of triangles: make the mesh finer |
-//! | distant surfaces flicker through each other | move the near plane away from the eye: see [Depth](#depth) |
+//! | distant surfaces flicker through each other | move the near plane away from the eye, to 1/500 of the far plane's distance or farther: see [Depth](#depth) |
 //! | edges of surfaces have stairs | call [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) after drawing |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!

@@ -80,6 +80,7 @@ pub mod coming_from {}
 #[doc = recipe!("Terrain", "terrain")]
 #[doc = recipe!("Keyframes", "keyframes")]
 #[doc = recipe!("Sprites", "sprites")]
+#[doc = recipe!("A windmill", "windmill")]
 #[doc = recipe!("Labels", "labels")]
 #[doc = recipe!("Picking", "picking")]
 #[doc = recipe!("Instruments", "instruments")]

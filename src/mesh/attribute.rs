@@ -134,7 +134,7 @@ impl<T: Copy + Hash> Hash for Values<'_, T> {
 }
 
 impl<'a> Small<'a, Vec3> {
-    /// A list of normals that [`short_normal`] made.
+    /// A list of normals that [`normal_of_8`] made.
     #[must_use]
     pub const fn normals(normals: &'a [[i8; 3]]) -> Self {
         Self {
@@ -252,7 +252,7 @@ const UP: u32 = 9;
 /// A normal with 8 bits per component: the largest component becomes 127 or −127, and the others are rounded to
 /// nearest, halves up.
 #[must_use]
-pub const fn short_normal(normal: Vec3) -> [i8; 3] {
+pub const fn normal_of_8(normal: Vec3) -> [i8; 3] {
     let bits = normal.to_bits();
     let mut most = 0;
     let mut axis = 0;

@@ -2,7 +2,7 @@
 
 pub use embedded_graphics::pixelcolor::Rgb888;
 
-pub use super::attribute::{Small, UvGrid, short_normal};
+pub use super::attribute::{Small, UvGrid, normal_of_8};
 use super::{Buffers, Index, Mesh};
 use crate::math::{Vec2, Vec3};
 pub use crate::message::checked;
@@ -58,10 +58,10 @@ pub const fn first<T: Copy, const N: usize>(list: &[T]) -> [T; N] {
 ///
 /// If the list has fewer than `N` elements.
 #[must_use]
-pub const fn shortened<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u32) {
+pub const fn quantized_positions<const N: usize>(positions: &[Vec3]) -> ([[i16; 3]; N], u32) {
     let positions: [Vec3; N] = first(positions);
-    match Mesh::checked(Mesh::new(&positions, &[])).shortened() {
-        Ok(short) => short,
+    match Mesh::checked(Mesh::new(&positions, &[])).quantized_positions() {
+        Ok(quantized) => quantized,
         Err(_) => panic!("a list is shorter than its mesh"),
     }
 }
@@ -76,7 +76,7 @@ pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
     let mut short = [[0; 3]; N];
     let mut at = 0;
     while at < N {
-        short[at] = short_normal(normals[at]);
+        short[at] = normal_of_8(normals[at]);
         at += 1;
     }
     short
@@ -158,7 +158,7 @@ lists! {
 }
 
 /// Makes a mesh of the first elements of each list in `$room`; `$counts` has their numbers. The lists of the mesh are
-/// statics of exactly these lengths. With `short`, positions have 16 bits per component; with `quantized_8`,
+/// statics of exactly these lengths. With `quantized`, positions have 16 bits per component; with `quantized_8`,
 /// attributes have fewer bits, too.
 #[doc(hidden)]
 #[macro_export]
@@ -168,16 +168,16 @@ macro_rules! __mesh {
             $crate::mesh::flash::first(&$room.positions);
         $crate::__mesh!($room, $counts, @ $crate::mesh::Positions::long(&POSITIONS))
     }};
-    ($room:expr, $counts:expr, short) => {{
+    ($room:expr, $counts:expr, quantized) => {{
         #[allow(long_running_const_eval)]
-        const SHORT: ([[i16; 3]; $counts.positions], u32) =
-            $crate::mesh::flash::shortened(&$room.positions);
-        static POSITIONS: [[i16; 3]; $counts.positions] = SHORT.0;
-        const SHORTENED: $crate::mesh::Positions<'static> = $crate::mesh::flash::checked(
-            $crate::mesh::Positions::short(&POSITIONS, SHORT.1),
+        const QUANTIZED: ([[i16; 3]; $counts.positions], u32) =
+            $crate::mesh::flash::quantized_positions(&$room.positions);
+        static POSITIONS: [[i16; 3]; $counts.positions] = QUANTIZED.0;
+        const STORED: $crate::mesh::Positions<'static> = $crate::mesh::flash::checked(
+            $crate::mesh::Positions::quantized(&POSITIONS, QUANTIZED.1),
             "mesh",
         );
-        $crate::__mesh!($room, $counts, @ SHORTENED)
+        $crate::__mesh!($room, $counts, @ STORED)
     }};
     ($room:expr, $counts:expr, quantized_8) => {{
         use $crate::mesh::flash::{self, Small, UvGrid};
@@ -188,13 +188,13 @@ macro_rules! __mesh {
         #[allow(long_running_const_eval)]
         static NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
         static SMALL_NORMALS: Small<'static, $crate::Vec3> = Small::normals(&NORMALS);
-        $crate::__mesh!($room, $counts, short)
+        $crate::__mesh!($room, $counts, quantized)
             .without_uvs()
             .without_normals()
-            .quantized((&SMALL_NORMALS, &[]), (&SMALL_UVS, &[]))
+            .with_quantized_attributes((&SMALL_NORMALS, &[]), (&SMALL_UVS, &[]))
     }};
     ($room:expr, $counts:expr, $other:ident) => {
-        ::core::compile_error!("the last argument must be `short`, `quantized_8` or nothing")
+        ::core::compile_error!("the last argument must be `quantized`, `quantized_8` or nothing")
     };
     ($room:expr, $counts:expr, @ $positions:expr) => {{
         use $crate::mesh::flash::first;

@@ -21,6 +21,7 @@ use crate::num::wide::product;
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::mesh::Keyframes;
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// static FACES: [[u16; 3]; 1] = [[0, 1, 2]];
 /// static DOWN: [Vec3; 3] = [vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 0, 0)];
 /// static UP: [Vec3; 3] = [vec3!(-4, -2, 0), vec3!(4, -2, 0), vec3!(0, 4, 0)];
@@ -203,7 +204,7 @@ mod tests {
     fn ends_are_exact_and_short_positions_blend_with_long_ones() {
         let far = [vec3!(-32768, 32767, 0.1); 4];
         let (first, second) = (
-            Mesh::short(&[[1, -2, 3]; 4], 16, &FACES).unwrap(),
+            Mesh::quantized(&[[1, -2, 3]; 4], 16, &FACES).unwrap(),
             Mesh::new(&far, &FACES).unwrap(),
         );
         let frames = Keyframes::new(&first, &second).unwrap();

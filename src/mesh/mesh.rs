@@ -82,30 +82,30 @@ impl<'a> Mesh<'a> {
     /// Cortex-M4, and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
-    /// `short`; [`Mesh::shortened`] converts the positions of any mesh.
+    /// `quantized`; [`Mesh::quantized_positions`] converts the positions of any mesh.
     ///
     /// ```
     /// use fixel::prelude::*;
-    /// static TRIANGLE: Mesh = Mesh::checked(Mesh::short(
+    /// static TRIANGLE: Mesh = Mesh::checked(Mesh::quantized(
     ///     &[[0, 0, 0], [1 << 14, 0, 0], [0, 3 << 13, 0]],
     ///     14,
     ///     &[[0, 1, 2]],
     /// ));
     /// assert_eq!(TRIANGLE.positions().get(2), Some(vec3!(0, 1.5, 0)));
     ///
-    /// static BALL: Mesh = shape!(sphere(32, 32), short);
+    /// static BALL: Mesh = shape!(sphere(32, 32), quantized);
     /// assert_eq!(BALL.positions().len(), 33 * 33);
     /// ```
     ///
     /// # Errors
     ///
     /// The errors of [`new`](Self::new); [`Error::Count`] if there are more than 16 fraction bits.
-    pub const fn short(
+    pub const fn quantized(
         positions: &'a [[i16; 3]],
         fraction: u32,
         faces: &'a [[Index; 3]],
     ) -> Result<Self, Error> {
-        let positions = ok!(Positions::short(positions, fraction));
+        let positions = ok!(Positions::quantized(positions, fraction));
         Self::of(positions, faces)
     }
 
@@ -207,24 +207,24 @@ impl<'a> Mesh<'a> {
     }
 
     /// The mesh's positions rounded to the nearest 16-bit components, and their number of fraction bits, for
-    /// [`short`](Self::short). The number of fraction bits is the greatest that the largest component permits, at most
+    /// [`quantized`](Self::quantized). The number of fraction bits is the greatest that the largest component permits, at most
     /// 16.
     ///
     /// ```
     /// use fixel::prelude::*;
     /// let positions = [vec3!(0, 0, 0), vec3!(1.7, 0, 0), vec3!(0, -1, 0)];
     /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
-    /// let (short, fraction) = mesh.shortened::<3>()?;
-    /// assert_eq!((short[2], fraction), ([0, -1 << 14, 0], 14));
-    /// assert!(Mesh::short(&short, fraction, mesh.faces()).is_ok());
+    /// let (positions, fraction) = mesh.quantized_positions::<3>()?;
+    /// assert_eq!((positions[2], fraction), ([0, -1 << 14, 0], 14));
+    /// assert!(Mesh::quantized(&positions, fraction, mesh.faces()).is_ok());
     /// # Ok::<(), Error>(())
     /// ```
     ///
     /// # Errors
     ///
     /// [`Error::Count`] unless the mesh has exactly `N` positions.
-    pub const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
-        self.positions.shortened()
+    pub const fn quantized_positions<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
+        self.positions.quantized_positions()
     }
 }
 
@@ -300,7 +300,7 @@ impl<'a> Mesh<'a> {
     /// checked. Lists of faces may be empty.
     #[doc(hidden)]
     #[must_use]
-    pub const fn quantized(
+    pub const fn with_quantized_attributes(
         self,
         (normals, normal_faces): (&'a Small<'a, Vec3>, &'a [[Index; 3]]),
         (uvs, uv_faces): (&'a Small<'a, Vec2>, &'a [[Index; 3]]),

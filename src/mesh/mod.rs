@@ -15,12 +15,12 @@
 //! # Less flash
 //!
 //! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
-//! `short` reduces only the positions. The arguments `quantized_8` and, for the textures of files, `quantized_16` reduce
-//! positions, normals and texture coordinates. The number in the name is the number of bits for u, and for v:
+//! `quantized` reduces only the positions. The arguments `quantized_8` and, for files, `quantized_16` reduce positions,
+//! normals and texture coordinates. The number in the name is the number of bits for u, and for v:
 //!
 //! | list | bytes per element | bytes in fewer bits | largest error |
 //! |---|---|---|---|
-//! | positions | 12 | 6 | see [`Mesh::short`] |
+//! | positions | 12 | 6 | see [`Mesh::quantized`] |
 //! | normals | 12 | 3 | 0.32 degrees |
 //! | texture coordinates, `quantized_16` | 8 | 4 | 1/131,070 of their range, plus 2⁻²¹ of the texture |
 //! | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, plus 2⁻²¹ of the texture |

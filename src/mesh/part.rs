@@ -80,6 +80,7 @@ impl Material<'_> {
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
 /// use fixel::mesh::{Material, Part};
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// use fixel::shade::PartColors;
 /// static SQUARE: Mesh = shape!(plane(2, 1));
 /// static SEA: Material = Material { texture: Some("sea.png"), ..Material::new(Rgb888::BLUE) };

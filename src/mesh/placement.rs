@@ -32,7 +32,7 @@ pub(crate) struct Placement<'a> {
 /// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(10), Gray8::new(20)]];
 /// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
 /// let bare = Mesh::new(&positions, &[[0, 1, 2]])?;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(50))?;
 /// let mut pixels = [Gray8::new(0); 12];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
 /// let drawn = canvas.draw(&bare, &projection, &Textured::new(&SKIN));

@@ -9,7 +9,7 @@ use crate::math::Vec3;
 /// The positions of a mesh, with 32-bit or 16-bit components; [`Mesh::positions`](crate::Mesh::positions) returns
 /// them.
 ///
-/// The 16-bit positions of [`Mesh::short`](crate::Mesh::short) take half the flash: 6 bytes instead of 12. Each
+/// The 16-bit positions of [`Mesh::quantized`](crate::Mesh::quantized) take half the flash: 6 bytes instead of 12. Each
 /// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. A mesh of
 /// 16-bit positions draws the same pixels, bit for bit, as a mesh with these `Scalar`s.
 ///
@@ -55,7 +55,7 @@ impl<'a> Positions<'a> {
 
     /// Positions in units of 2^-`fraction`.
     #[doc(hidden)]
-    pub const fn short(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
+    pub const fn quantized(positions: &'a [[i16; 3]], fraction: u32) -> Result<Self, Error> {
         ok!(check_count(
             "fraction bits",
             fraction as usize,
@@ -133,8 +133,10 @@ impl<'a> Positions<'a> {
         Vec3::from_bits(self.stored(index).to_bits())
     }
 
-    /// See [`Mesh::shortened`](crate::Mesh::shortened).
-    pub(super) const fn shortened<const N: usize>(&self) -> Result<([[i16; 3]; N], u32), Error> {
+    /// See [`Mesh::quantized_positions`](crate::Mesh::quantized_positions).
+    pub(super) const fn quantized_positions<const N: usize>(
+        &self,
+    ) -> Result<([[i16; 3]; N], u32), Error> {
         ok!(check_length("positions", N, self.len()));
         let fraction = finest(*self);
         let mut short = [[0; 3]; N];

@@ -13,6 +13,7 @@ use crate::num::wide::scaled_cross;
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::{Primitive, Window};
 /// use fixel::shade::PerFace;
 ///
 /// /// Faces that look up are light, others dark.
@@ -63,6 +64,7 @@ impl Primitive<'_> {
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;
     /// use fixel::prelude::*;
+    /// use fixel::{Primitive, Window};
     /// use fixel::shade::PerFace;
     /// #[derive(Clone, Copy)]
     /// struct Card;
@@ -112,6 +114,7 @@ impl Primitive<'_> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
     /// use fixel::prelude::*;
+    /// use fixel::{Primitive, Window};
     /// use fixel::shade::PerFace;
     /// #[derive(Clone, Copy)]
     /// struct Numbered;
@@ -225,6 +228,7 @@ impl Primitive<'_> {
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::Primitive;
 ///
 /// /// Black at the eye, white at a distance of ten units.
 /// #[derive(Clone, Copy)]

@@ -4,15 +4,15 @@ use embedded_graphics::pixelcolor::Rgb888;
 
 use crate::error::{Error, check_above, check_count, check_length, ok};
 use crate::math::{Vec2, Vec3};
-use crate::num::{Scalar, TexCoord};
+use crate::num::{Angle, Scalar, TexCoord};
 
 /// Sprites, also called billboards: a rectangle at each position of a list, parallel to the image plane.
 /// [`Canvas::draw`](crate::Canvas::draw) draws all sprites of the list, for example particles, in one call.
 ///
 /// All sprites have the same size, in units of the world or in pixels. On each sprite, texture coordinates run from (0,
 /// 0) at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn only about that
-/// axis, as trees should. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors) and a
-/// [frame](Self::with_frames) of its own.
+/// axis, as trees should. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors), a
+/// [frame](Self::with_frames) and an [angle](Self::with_angles) of its own.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -59,11 +59,12 @@ use crate::num::{Scalar, TexCoord};
 /// # How they are drawn
 ///
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
-/// have no backs. A sprite without an [axis](Self::with_axis) is a rectangle on the screen. Such a rectangle is drawn
-/// as one primitive, which costs less than two triangles. However, two triangles are drawn if the rectangle is clipped,
-/// if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying (a number that the
-/// shader interpolates) changes both across and down, as the light of a lamp does. The single primitive has the same
-/// pixels and depths as the two triangles, and its varyings are as accurate.
+/// have no backs. A sprite with neither an [axis](Self::with_axis) nor an [angle](Self::with_angles) is an upright
+/// rectangle on the screen. Such a rectangle is drawn as one primitive, which costs less than two triangles. However,
+/// two triangles are drawn if the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as
+/// with mipmaps), or if a varying (a number that the shader interpolates) changes both across and down, as the light of
+/// a lamp does. The single primitive has the same pixels and depths as the two triangles, and its varyings are as
+/// accurate.
 ///
 /// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
 /// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
@@ -115,7 +116,7 @@ use crate::num::{Scalar, TexCoord};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Sprites<'a> {
+pub struct Sprites<'a, A = ()> {
     pub(crate) positions: &'a [Vec3],
     /// Width and height.
     pub(crate) size: [Scalar; 2],
@@ -130,6 +131,8 @@ pub struct Sprites<'a> {
     /// Columns and rows of frames in the texture.
     pub(crate) grid: [u16; 2],
     pub(crate) inset: Vec2,
+    /// Nothing, or one angle for each position.
+    pub(crate) angles: A,
 }
 
 impl<'a> Sprites<'a> {
@@ -157,6 +160,7 @@ impl<'a> Sprites<'a> {
             frames: &[],
             grid: [1; 2],
             inset: Vec2::ZERO,
+            angles: (),
         })
     }
 
@@ -197,6 +201,80 @@ impl<'a> Sprites<'a> {
             is_in_pixels: true,
             ..ok!(Self::new(positions, size))
         })
+    }
+
+    /// Turns each sprite by an angle of its own, counter-clockwise about its [anchor](Self::with_anchor), in the plane of
+    /// its rectangle: a leaf in the wind, the needle of a compass. Sprites with angles have the type `Sprites<&[Angle]>`.
+    /// So a program without them contains no code for them.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use fixel::prelude::*;
+    /// let projection = Projection::perspective(deg!(90), (3, 1), fx!(1), fx!(50))?;
+    /// let mut pixels = [BinaryColor::Off; 24 * 8];
+    /// let mut canvas = Canvas::new(&mut pixels, 24, 8)?;
+    /// canvas.clear(BinaryColor::Off);
+    /// // Three needles that begin at their positions, and point up at the angle 0.
+    /// let places = [vec3!(-4, -1, -2), vec3!(0, 0, -2), vec3!(4, 0, -2)];
+    /// let angles = [deg!(0), deg!(45), deg!(90)];
+    /// let needles = Sprites::in_pixels(&places, (fx!(2), fx!(6)))?
+    ///     .with_anchor(vec2!(0.5, 1))
+    ///     .with_angles(&angles)?;
+    /// canvas.draw(&needles, &projection, &Flat::new(BinaryColor::On));
+    ///
+    /// let mut display = MockDisplay::new();
+    /// canvas.show(&mut display)?;
+    /// display.assert_pattern(&[
+    ///     "...##..###..............",
+    ///     "...##...###.............",
+    ///     "...##....###............",
+    ///     "...##.....##..######....",
+    ///     "...##.........######....",
+    ///     "...##...................",
+    ///     "........................",
+    ///     "........................",
+    /// ]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] unless there is one angle for each position.
+    pub const fn with_angles(self, angles: &'a [Angle]) -> Result<Sprites<'a, &'a [Angle]>, Error> {
+        ok!(check_length("angles", angles.len(), self.positions.len()));
+        Ok(self.turned(angles))
+    }
+}
+
+impl<'a> Sprites<'a, &'a [Angle]> {
+    /// The angle of each sprite.
+    #[must_use]
+    pub const fn angles(&self) -> &'a [Angle] {
+        self.angles
+    }
+
+    /// The same sprites without angles.
+    pub(crate) const fn upright(&self) -> Sprites<'a> {
+        self.turned(())
+    }
+}
+
+impl<'a, A: Copy> Sprites<'a, A> {
+    /// The same sprites with these angles, or with none.
+    const fn turned<B: Copy>(&self, angles: B) -> Sprites<'a, B> {
+        Sprites {
+            positions: self.positions,
+            size: self.size,
+            is_in_pixels: self.is_in_pixels,
+            axis: self.axis,
+            anchor: self.anchor,
+            scales: self.scales,
+            colors: self.colors,
+            frames: self.frames,
+            grid: self.grid,
+            inset: self.inset,
+            angles,
+        }
     }
 
     /// Lets the sprites turn only about an axis: their vertical sides are parallel to the axis, and their horizontal
@@ -255,19 +333,19 @@ impl<'a> Sprites<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] unless there are from 1 to [`MAX_FRAMES`](Self::MAX_FRAMES) columns and rows;
+    /// [`Error::Count`] unless there are from 1 to [`MAX_FRAMES`](Sprites::MAX_FRAMES) columns and rows;
     /// [`Error::Count`] unless there is one frame for each position.
     pub const fn with_frames(self, grid: (u16, u16), frames: &'a [u16]) -> Result<Self, Error> {
         let (columns, rows) = grid;
         ok!(check_count(
             "columns",
             columns as usize,
-            [1, Self::MAX_FRAMES as usize]
+            [1, Sprites::MAX_FRAMES as usize]
         ));
         ok!(check_count(
             "rows",
             rows as usize,
-            [1, Self::MAX_FRAMES as usize]
+            [1, Sprites::MAX_FRAMES as usize]
         ));
         ok!(check_length("frames", frames.len(), self.positions.len()));
         Ok(Self {
@@ -288,6 +366,7 @@ impl<'a> Sprites<'a> {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// // Two frames of two texels each: a dark frame and a bright frame.
     /// static SHEET: [[Gray8; 4]; 1] = [[Gray8::new(9), Gray8::new(9), Gray8::new(200), Gray8::new(200)]];
     /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(8)), fx!(-1), fx!(1))?;
@@ -415,6 +494,13 @@ mod tests {
         assert_eq!((all.axis(), all.anchor()), (Some(Vec3::Y), vec2!(0.5, 1)));
         assert_eq!((all.scales(), all.colors()), (&scales[..], &colors[..]));
         assert_eq!(all.frames(), frames);
+        // Options may follow angles, and come before them.
+        let turned = all.with_angles(&[Angle::QUARTER]).unwrap();
+        assert_eq!(turned.angles(), [Angle::QUARTER]);
+        assert_eq!((turned.axis(), turned.scales()), (all.axis(), all.scales()));
+        let other = plain.with_angles(&[Angle::QUARTER]).unwrap();
+        assert_eq!(other.with_scales(&scales).unwrap().scales(), scales);
+        assert!(plain.with_angles(&[]).is_err());
     }
 
     #[test]

@@ -17,7 +17,7 @@
 //! | stored depth | `u16`, floor(65535 · near / w) | 65535 at the near plane, 0 infinitely far | 1/65535 of near/w |
 //! | stored depth in [floating point](crate::canvas::FloatDepth) | `u16`: 4 bits of exponent, 12 of mantissa | 65535 at the near plane, 0 from 65,536 times as far | 2^-12 of the distance |
 //! | stored depth over a [wider range](crate::canvas::WideFloatDepth) | `u16`: 5 bits of exponent, 11 of mantissa | 65535 at the near plane, 0 from 2^32 times as far | 2^-11 of the distance |
-//! | [short](crate::Mesh::short) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
+//! | [quantized](crate::Mesh::quantized) positions | `[i16; 3]`, 0 to 16 fraction bits | ±2^15 units | 2^-fraction |
 //! | varyings of a shader, in general | `i32` in a unit of the shader's choice | ±2^31 | rounded down to that unit |
 //! | varyings: texels | 16 fraction bits ([`Textured`](crate::Textured)) | ±32768 texels | 1/65536 texel |
 //! | varyings: color levels | 16 fraction bits of a step ([`PixelFormat`](crate::PixelFormat)) | 0 to 255 steps | 1/65536 step |
@@ -76,7 +76,7 @@ pub use angle::Angle;
 pub(crate) use log2::log2;
 pub use number::{Fraction, Scalar, Subpixel, TexCoord};
 pub(crate) use reciprocal::{reciprocal, short_reciprocal};
-pub use time::{Rate, Spin};
+pub use time::Rate;
 
 #[cfg(test)]
 mod tests;

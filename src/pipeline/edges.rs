@@ -134,6 +134,7 @@ impl<const SMOOTH: bool> LineStyle<SMOOTH> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let projection = Projection::orthographic(Window::centered(fx!(8), fx!(4)), fx!(-1), fx!(1))?;
     /// let mut color = [BinaryColor::Off; 8 * 4];
     /// let mut canvas = Canvas::new(&mut color, 8, 4)?;

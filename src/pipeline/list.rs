@@ -12,7 +12,7 @@ mod shades;
 
 pub use faces_or_edges::FacesOrEdges;
 pub use prepared::{Object, Prepared};
-pub use shades::{ShadeList, Shades};
+pub use shades::ShadeList;
 
 use core::cell::Cell;
 use core::marker::PhantomData;

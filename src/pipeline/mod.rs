@@ -21,7 +21,7 @@ mod sprites;
 mod thing;
 mod vertex;
 
-pub use list::{DrawList, FacesOrEdges, Object, Prepared, ShadeList, Shades};
+pub use list::{DrawList, FacesOrEdges, Object, Prepared, ShadeList};
 pub use on_screen::ScreenPoint;
 pub use options::DrawOptions;
 pub use ray::{Hit, Ray};

@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use super::call::Screen;
 use crate::canvas::{DepthTest, Replace, TestAndWrite};
 use crate::raster::Cull;
-use crate::span::{Fast, Mode, Newton, Plain};
+use crate::span::{Mode, Newton, Plain};
 use crate::view::Viewport;
 
 /// The options of a draw call: which faces are culled, which part of the frame is drawn to, the interpolation mode, the
@@ -78,20 +78,6 @@ impl DrawOptions {
             depth_test: TestAndWrite,
             blending: Replace,
         }
-    }
-
-    /// The default options in mode [`Fast`] with a tolerance of ¼ texel, for cores without 64-bit products, such as
-    /// Cortex-M0+.
-    ///
-    /// ```
-    /// use fixel::mode::Fast;
-    /// use fixel::prelude::*;
-    /// let quarter = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
-    /// assert_eq!(DrawOptions::fast(), quarter);
-    /// ```
-    #[must_use]
-    pub const fn fast() -> DrawOptions<Fast> {
-        Self::new().with_mode(Fast::within(crate::fx!(0.25)))
     }
 }
 

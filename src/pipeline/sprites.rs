@@ -1,5 +1,5 @@
-//! Sprites: quads in eye space. They are drawn as meshes of eight quads each. Sprites that face the camera are
-//! rectangles on the screen; a rectangle is drawn as one primitive if its varyings allow it.
+//! Sprites: quads in eye space. They are drawn as meshes of eight quads each. Sprites that face the camera and have no
+//! angles are upright rectangles on the screen; such a rectangle is drawn as one primitive if its varyings allow it.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -15,7 +15,7 @@ use crate::mesh::{Index, Mesh, Placement, Positions, Sprites};
 use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
-use crate::num::{Scalar, TexCoord};
+use crate::num::{Angle, Scalar, TexCoord};
 use crate::raster::{Blitter, Cull, Scissor};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
@@ -30,12 +30,26 @@ impl<C> Thing<C> for &Sprites<'_> {
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
         let (screen, rows) = to.region;
-        let quads = Quads::new(self, mvp, &screen.viewport);
+        let quads = Quads::new(self, (), mvp, &screen.viewport);
         quads.draw(
             &screen.scissor(rows),
             &|halves| is_plane(to.shading, halves),
             to.blitter,
         )
+    }
+}
+
+impl Sealed for &Sprites<'_, &[Angle]> {}
+
+impl<C> Thing<C> for &Sprites<'_, &[Angle]> {
+    type Shading<'c, S: ShaderFor<C>, B: Blending<C>, Z: DepthTest> = Plain<S, B, Z>;
+
+    #[inline]
+    fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        let (screen, rows) = to.region;
+        let upright = self.upright();
+        let quads = Quads::new(&upright, self.angles, mvp, &screen.viewport);
+        quads.draw(&screen.scissor(rows), &|_| false, to.blitter)
     }
 }
 
@@ -65,9 +79,9 @@ struct UnitQuad {
 }
 
 impl UnitQuad {
-    /// The corners of sprites that `view` transforms to eye space. `pixel` is the size of a pixel in eye space, at a
-    /// distance of 1 in perspective.
-    fn new(sprites: &Sprites<'_>, view: &Transform, pixel: [BlockFloat; 2]) -> Self {
+    /// The directions to the right and up of sprites that `view` transforms to eye space.
+    #[inline]
+    fn directions(sprites: &Sprites<'_>, view: &Transform) -> [[i32; 3]; 2] {
         /// Components of unit vectors, in units of 2^-30.
         const ONE: i32 = 1 << 30;
         let [mut right, mut up] = [[ONE, 0, 0], [0, ONE, 0]];
@@ -81,6 +95,13 @@ impl UnitQuad {
             right = unit([y, -x, 0]).unwrap_or(right);
             up = axis;
         }
+        [right, up]
+    }
+
+    /// The corners of sprites with these directions to the right and up. `pixel` is the size of a pixel in eye space, at
+    /// a distance of 1 in perspective.
+    #[inline]
+    fn new(sprites: &Sprites<'_>, [right, up]: [[i32; 3]; 2], pixel: [BlockFloat; 2]) -> Self {
         let [width, height] = sprites
             .size
             .map(|v| BlockFloat::new(v.to_bits().into(), 16));
@@ -130,6 +151,83 @@ impl UnitQuad {
     }
 }
 
+/// How sprites are turned in the plane of their rectangles: not at all, or each by an angle.
+trait Turn: Copy {
+    const IS_UPRIGHT: bool;
+
+    /// The corners at scale 1 from which all others are made.
+    type Quad;
+
+    /// Makes these corners from the arguments of [`UnitQuad::new`].
+    fn quad(sprites: &Sprites<'_>, directions: [[i32; 3]; 2], pixel: [BlockFloat; 2])
+    -> Self::Quad;
+
+    /// The corners of a sprite of this scale, relative to its position.
+    fn corners(self, quad: &Self::Quad, sprite: usize, scale: BlockFloat) -> [Vec3; 4];
+}
+
+impl Turn for () {
+    const IS_UPRIGHT: bool = true;
+
+    type Quad = UnitQuad;
+
+    #[inline]
+    fn quad(sprites: &Sprites<'_>, directions: [[i32; 3]; 2], pixel: [BlockFloat; 2]) -> UnitQuad {
+        UnitQuad::new(sprites, directions, pixel)
+    }
+
+    #[inline]
+    fn corners(self, quad: &UnitQuad, _: usize, scale: BlockFloat) -> [Vec3; 4] {
+        quad.scaled(scale)
+    }
+}
+
+impl Turn for &[Angle] {
+    const IS_UPRIGHT: bool = false;
+
+    /// Upright, and turned by a quarter turn, counter-clockwise about the anchor.
+    type Quad = [UnitQuad; 2];
+
+    fn quad(
+        sprites: &Sprites<'_>,
+        [right, up]: [[i32; 3]; 2],
+        [width, height]: [BlockFloat; 2],
+    ) -> [UnitQuad; 2] {
+        let left = right.map(|component| -component);
+        [
+            UnitQuad::new(sprites, [right, up], [width, height]),
+            UnitQuad::new(sprites, [up, left], [height, width]),
+        ]
+    }
+
+    /// A corner that is turned by an angle is the upright corner times its cosine, plus the corner at a quarter turn
+    /// times its sine.
+    fn corners(
+        self,
+        [upright, across]: &[UnitQuad; 2],
+        sprite: usize,
+        scale: BlockFloat,
+    ) -> [Vec3; 4] {
+        let angle = self.get(sprite).copied().unwrap_or_default();
+        let (sin, cos) = angle.sin_cos();
+        // The exponents differ if pixels are not square.
+        let exp = upright.exp.min(across.exp);
+        let part = |quad: &UnitQuad, m: i32| m >> (quad.exp - exp).min(31);
+        let mut corners = upright.corners;
+        for (corner, across_corner) in corners.iter_mut().zip(across.corners) {
+            for (m, across_m) in corner.iter_mut().zip(across_corner) {
+                // Mantissas are below 2^31, and the sine and the cosine are at most 2^30. So the sum is below √2 · 2^61,
+                // and half of it, in units of 2^30, fits into 32 bits.
+                let sum = product(part(upright, *m), cos.to_bits())
+                    + product(part(across, across_m), sin.to_bits());
+                *m = ((sum + (1 << 30)) >> 31) as i32;
+            }
+        }
+        let exp = exp - 1;
+        UnitQuad { corners, exp }.scaled(scale)
+    }
+}
+
 /// Whether a vector is inside the range of positions. Saturated numbers are at the ends of the range.
 fn is_inside(vector: Vec3) -> bool {
     let [x, y, z] = vector.to_bits();
@@ -146,25 +244,33 @@ fn uvs_of([left, right, top, bottom]: [TexCoord; 4]) -> [Vec2; 4] {
 type LastScale = (BlockFloat, [Vec3; 4], bool);
 
 /// A draw call of sprites.
-struct Quads<'s, K> {
+struct Quads<'s, K, A: Turn> {
     sprites: &'s Sprites<'s>,
+    angles: A,
     /// From model to eye space.
     view: Transform,
     /// From eye to world space.
     pose: Transform,
     /// From eye space to the screen.
     projector: Projector<'static, K>,
-    quad: UnitQuad,
+    quad: A::Quad,
     /// Whether the size of a sprite is proportional to its distance.
     grows: bool,
 }
 
-impl<'s, K: ProjectionKind> Quads<'s, K> {
+impl<'s, K: ProjectionKind, A: Turn> Quads<'s, K, A> {
     #[inline(never)]
-    fn new(sprites: &'s Sprites<'s>, mvp: &impl AsMvp<Kind = K>, viewport: &Viewport) -> Self {
+    fn new(
+        sprites: &'s Sprites<'s>,
+        angles: A,
+        mvp: &impl AsMvp<Kind = K>,
+        viewport: &Viewport,
+    ) -> Self {
         let (projection, view): (&Projection<K>, _) = (mvp.projection_of(), mvp.model_view_of());
+        let directions = UnitQuad::directions(sprites, &view);
         Self {
-            quad: UnitQuad::new(sprites, &view, projection.pixel(viewport)),
+            quad: A::quad(sprites, directions, projection.pixel(viewport)),
+            angles,
             sprites,
             view,
             pose: mvp.camera_of().inverse_rigid(),
@@ -182,9 +288,9 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
     #[inline(never)]
     fn draw(&self, scissor: &Scissor, is_plane: IsPlane<'_>, blitter: &mut dyn Blitter) -> Drawn {
         let sprites = self.sprites;
-        // The corners of a sprite that faces the camera share one z, so the screen x of a corner depends only on its x,
+        // The corners of an upright sprite that faces the camera share one z, so the screen x of a corner depends only on its x,
         // and the screen y only on its y.
-        let is_plane = Some(is_plane).filter(|_| sprites.axis.is_none());
+        let is_plane = Some(is_plane).filter(|_| A::IS_UPRIGHT && sprites.axis.is_none());
         let mut drawn = Drawn::default();
         let mut corners = [[Vec3::ZERO; 4]; BATCH];
         // If all sprites have the same texture coordinates, they are written only here.
@@ -246,8 +352,8 @@ impl<'s, K: ProjectionKind> Quads<'s, K> {
             let distance = (-position.z).to_bits().max(0);
             scale = BlockFloat::new(scale.value * i64::from(distance), 32);
         }
-        if last.0 != scale {
-            let corners = self.quad.scaled(scale);
+        if !A::IS_UPRIGHT || last.0 != scale {
+            let corners = self.angles.corners(&self.quad, sprite, scale);
             *last = (scale, corners, corners.into_iter().all(is_inside));
         }
         let &mut (_, [a, b, c, d], corners_are_inside) = last;

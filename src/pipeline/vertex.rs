@@ -533,7 +533,7 @@ mod tests {
                 [x * near, y * near, split * near],
             );
             check(
-                &Projection::cabinet(angle, window, near, far).unwrap(),
+                &Projection::oblique(angle, fx!(0.5), near, window, near, far).unwrap(),
                 place,
             );
         });

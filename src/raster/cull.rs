@@ -10,6 +10,7 @@
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::NormalView;
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 2, 3)));
 /// let projection = Projection::perspective(deg!(60), (32, 24), fx!(1), fx!(20))?;
 /// let pose = Transform::translate(vec3!(2, 0, -9)) * Transform::rotate_y(deg!(30));

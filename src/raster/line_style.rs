@@ -29,6 +29,7 @@ use crate::num::Scalar;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// let corners = [vec3!(1, -6, 0), vec3!(6, -2, 0), vec3!(11, -6, 0)];
 /// let roof = Mesh::new(&corners, &[])?.with_edges(&[[0, 1], [1, 2]])?;
 /// let window = Window { left: fx!(0), right: fx!(12), bottom: fx!(-8), top: fx!(0) };

@@ -15,6 +15,7 @@ use crate::mesh::Primitive;
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -179,7 +179,7 @@ impl<C: PixelFormat> Output for Precise<C> {
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
-/// use fixel::{prelude::*, shade::Translucent};
+/// use fixel::{Window, prelude::*, shade::Translucent};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -39,6 +39,7 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
+/// use fixel::{Primitive, Window};
 ///
 /// /// Stripes along the texture's u.
 /// #[derive(Clone, Copy)]
@@ -103,6 +104,7 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::{Primitive, Window};
 /// /// Brightnesses from 0 to 255, one for each position.
 /// #[derive(Clone, Copy)]
 /// struct Heat(&'static [u8]);
@@ -138,6 +140,7 @@ pub struct Fragment {
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use fixel::prelude::*;
+/// use fixel::NormalView;
 ///
 /// static BALL: Mesh = shape!(sphere(16, 12));
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
@@ -214,6 +217,7 @@ pub trait Shader: Copy {
     /// use embedded_graphics::mock_display::MockDisplay;
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static BALL: Mesh = shape!(sphere(8, 8));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
@@ -261,6 +265,7 @@ pub trait Shader: Copy {
     /// use embedded_graphics::mock_display::MockDisplay;
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static BALL: Mesh = shape!(sphere(8, 8));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));
@@ -311,6 +316,7 @@ pub trait Shader: Copy {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888, RgbColor}};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SKIN: [[Rgb565; 2]; 1] = [[Rgb565::YELLOW, Rgb565::BLUE]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -345,6 +351,7 @@ pub trait Shader: Copy {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(8))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(4));
@@ -376,6 +383,7 @@ pub trait Shader: Copy {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -431,6 +439,7 @@ pub trait Shader: Copy {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SKIN: [[Rgb888; 2]; 1] = [[Rgb888::WHITE, Rgb888::new(0, 128, 0)]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -463,6 +472,7 @@ pub trait Shader: Copy {
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

@@ -20,6 +20,7 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, origin, 
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::RED]];
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -128,6 +129,7 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, GrayColor}};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(0), Gray8::new(0x88)]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -184,6 +186,7 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static FENCE: [[Rgb565; 2]; 1] = [[Rgb565::GREEN, Rgb565::MAGENTA]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
@@ -213,7 +216,7 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, Gray8};
-    /// use fixel::{prelude::*, texture::Raw};
+    /// use fixel::{Window, prelude::*, texture::Raw};
     /// static SKIN: [[Gray8; 2]; 1] = [[Gray8::new(200); 2]];
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let mask = Raw::<Gray4>::new(&[0x3f], 2, 1)?; // opacities of 1/5 and 1

@@ -17,6 +17,7 @@ use crate::mesh::Primitive;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
+/// use fixel::{DepthView, Window};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -108,6 +109,7 @@ impl<C: PixelFormat> Shader for DepthView<C> {
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;
 /// use fixel::prelude::*;
+/// use fixel::{NormalView, Window};
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
 /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));

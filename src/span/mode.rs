@@ -206,9 +206,8 @@ impl Mode for Affine {
 /// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
 /// edge. So bands have the same pixels as whole frames.
 ///
-/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]
-/// ([`DrawOptions::fast`](crate::DrawOptions::fast)): there, compared with `Fast`, a pixel that takes a Newton step
-/// costs more than five times the instructions, and a frame of the measured cube about twice.
+/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]: there, compared with `Fast`, a pixel that
+/// takes a Newton step costs more than five times the instructions, and a frame of the measured cube about twice.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};

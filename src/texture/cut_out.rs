@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_cut_out_texel_leaves_color_and_depth() {
-        use crate::prelude::*;
+        use crate::{Window, prelude::*};
         static SKIN: [[Rgb565; 2]; 1] = [[Rgb565::RED, Rgb565::BLACK]];
         static SQUARE: Mesh = shape!(plane(1, 1));
         let window = Window::centered(fx!(2), fx!(2));

@@ -15,7 +15,7 @@ use super::Sampler;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
-/// use fixel::{prelude::*, texture::Indexed};
+/// use fixel::{Window, prelude::*, texture::Indexed};
 /// static TILES: [[u8; 2]; 2] = [[0, 1], [1, 2]];
 /// static COLORS: [Rgb565; 3] = [Rgb565::BLACK, Rgb565::RED, Rgb565::WHITE];
 /// static SQUARE: Mesh = shape!(plane(1, 1));

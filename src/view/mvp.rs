@@ -18,7 +18,7 @@ use crate::sealed::Sealed;
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(50))?;
 /// let camera = Camera::look_at(vec3!(0, 2, 5), Vec3::ZERO, Vec3::Y)?;
 /// let spin = Transform::rotate_y(Angle::from_degrees(30));
 /// let mvp = projection * camera * spin;
@@ -35,7 +35,7 @@ use crate::sealed::Sealed;
 /// use fixel::prelude::*;
 /// let positions = [vec3!(-1, -1, -2), vec3!(1, -1, -2), vec3!(0, 1, -2)];
 /// let mesh = Mesh::new(&positions, &[[0, 1, 2]])?;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(50))?;
 /// let mut pixels = [Gray8::new(0); 12];
 /// let mut canvas = Canvas::new(&mut pixels, 4, 3)?;
 /// assert_eq!(canvas.draw(&mesh, &projection, &Flat::new(Gray8::new(9))).drawn, 1);
@@ -47,7 +47,7 @@ use crate::sealed::Sealed;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{prelude::*, view::ProjectionKind};
+/// use fixel::{Window, prelude::*, view::ProjectionKind};
 /// static BALL: Mesh = shape!(sphere(8, 6));
 /// fn draw<K: ProjectionKind>(canvas: &mut Canvas<'_, Gray8>, view: &Mvp<K>) -> bool {
 ///     let ball = *view * Transform::translate(vec3!(0, 0, -4));

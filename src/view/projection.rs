@@ -34,7 +34,7 @@ pub trait ProjectionKind: Sealed + Copy + core::fmt::Debug {
 /// ```
 /// use fixel::{Projection, deg, fx, view::Perspective};
 /// let projection: Projection<Perspective> =
-///     Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+///     Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(50))?;
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -113,7 +113,8 @@ impl ProjectionRow {
 ///
 /// ```
 /// use fixel::prelude::*;
-/// let projection = Projection::perspective(deg!(60), (320, 240), fx!(0.1), fx!(100))?;
+/// use fixel::Window;
+/// let projection = Projection::perspective(deg!(60), (320, 240), fx!(0.5), fx!(50))?;
 /// let plan = Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(0), fx!(10))?;
 /// assert!(Projection::perspective(deg!(60), (4, 3), fx!(0), fx!(100)).is_err());
 /// # Ok::<(), Error>(())

@@ -12,6 +12,7 @@ use crate::num::Scalar;
 ///
 /// ```
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// let window = Window { left: fx!(-1), right: fx!(2), bottom: fx!(-1), top: fx!(1) };
 /// let projection = Projection::frustum(window, fx!(2), fx!(10))?;
 /// assert_eq!(projection.window(), window);
@@ -36,6 +37,7 @@ impl Window {
     ///
     /// ```
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let window = Window::centered(fx!(4), fx!(3));
     /// assert_eq!((window.left, window.top), (fx!(-2), fx!(1.5)));
     /// ```

@@ -12,6 +12,7 @@ use fixel::mode::Compact;
 use fixel::prelude::*;
 use fixel::shade::{Output, Precise, Translucent};
 use fixel::view::Parallel;
+use fixel::{Primitive, Window};
 use rand::Rng;
 
 use support::random::cases;

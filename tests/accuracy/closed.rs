@@ -8,6 +8,7 @@
 use std::f64::consts::{PI, TAU};
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::Window;
 use fixel::canvas::Add;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
@@ -213,7 +214,8 @@ fn closed_surfaces_have_no_cracks_in_parallel() {
     cases(sampled(256), |random| {
         let closed = any(random);
         let window = Window::centered(fx!(5.1), fx!(2.4));
-        let projection = Projection::cabinet(deg!(30), window, fx!(-9), fx!(9)).unwrap();
+        let projection =
+            Projection::oblique(deg!(30), fx!(0.5), fx!(-9), window, fx!(-9), fx!(9)).unwrap();
         closed.check(projection * turn(random), random.random_range(1..20), 0);
     });
 }

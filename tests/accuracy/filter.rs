@@ -9,6 +9,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
     RgbColor,
 };
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::shade::{ColorOf, Lanes, Output, Varyings};
 use fixel::texture::{Blend, Indexed};

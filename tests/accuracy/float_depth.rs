@@ -1,6 +1,8 @@
 //! Depths in each format, for increasing ratios of the far plane's distance to the near plane's distance.
 
 use std::array::from_fn;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
@@ -161,6 +163,110 @@ fn surfaces_behind_stay_hidden() {
             assert!(float_fails > 0 || ratio < 2. * 65_536.);
         }
     }
+}
+
+/// The greatest far/near with the default format, by the rule in the guide (concepts, Depth).
+const MOST: f64 = 500.;
+
+/// With planes that keep the rule, walls 1 % apart hide each other at all distances and in all modes. The farthest pair
+/// differs by 65535 / 500 · (1.01 − 1) = 1.31 steps of depth, and two depths that differ by more than a step and their
+/// errors of 0.003 are stored as different numbers. Twice the ratio would not do: there, the difference is 0.66 steps, so
+/// that a third of the pairs have equal depths.
+#[test]
+fn walls_hide_each_other_under_the_rule_for_the_planes() {
+    for near in [1. / 64., 0.2, 0.5, 10.] {
+        let projection = projection(near, near * MOST);
+        for slant in [1., 4.] {
+            // The farther wall ends at the far plane, or before it. Its vertices are rounded to 2^-17.
+            let last = near * MOST / slant / 1.01 - 0.001;
+            for w in series(1.02 * near, 1.21)
+                .take_while(|&w| w < last)
+                .chain([last])
+            {
+                for mode in Mode::PERSPECTIVE {
+                    let distances = [w, w * slant];
+                    let pixels = wrong_in::<LinearDepth>(mode, projection, distances, 0.01);
+                    assert_eq!(pixels, 0, "{mode:?}, near {near}: {distances:?}");
+                }
+            }
+        }
+        let double = self::projection(near, near * MOST * 2.);
+        let wrong = (0..10).any(|at| {
+            let w = near * MOST * 2. * (0.98 - 0.002 * f64::from(at));
+            wrong_in::<LinearDepth>(Mode::Newton, double, [w, w], 0.01) > 0
+        });
+        assert!(wrong, "near {near}: the rule could allow twice the ratio");
+    }
+}
+
+/// The example in the guide of planes that break the rule.
+#[test]
+fn a_near_plane_too_close_shows_hidden_squares() {
+    let (projection, distance, gap) = (projection(0.01, 100.), [90., 90.], 3. / 90.);
+    let wrong = wrong_in::<LinearDepth>(Mode::Newton, projection, distance, gap);
+    assert_eq!(wrong, 64 * 48);
+    let wrong = wrong_in::<FloatDepth>(Mode::Newton, projection, distance, gap);
+    assert_eq!(wrong, 0);
+}
+
+/// All source files in a folder, but not `trade`, which measures modes on triangles of all depths and draws without a
+/// depth buffer.
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() && !path.ends_with("trade") && !path.ends_with("target") {
+            sources(&path, found);
+        } else if path
+            .extension()
+            .is_some_and(|end| end == "rs" || end == "md")
+        {
+            found.push(path);
+        }
+    }
+}
+
+/// The distances of the near and the far plane in each perspective projection of a text that names both as literals.
+/// Unit tests at the end of a file do not count.
+fn planes(text: &str) -> Vec<[f64; 2]> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let calls = ["::perspective(", "::from_focal_length("].into_iter();
+    let calls = calls.flat_map(|name| text.split(name).skip(1));
+    let planes = calls.filter_map(|call| {
+        let mut open = 1;
+        let end = call.find(|letter| {
+            open += i32::from(letter == '(') - i32::from(letter == ')');
+            open == 0
+        })?;
+        let mut numbers = call[..end].rsplit("fx!(").map(|rest| {
+            let number = rest.split(')').next().unwrap_or_default();
+            number.replace('_', "").parse().ok()
+        });
+        let [far, near] = [numbers.next()??, numbers.next()??];
+        Some([near, far])
+    });
+    planes.collect()
+}
+
+/// All examples in the README, in the documentation and in the programs keep the rule, except those that are refused.
+#[test]
+fn examples_keep_the_rule_for_the_planes() {
+    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = vec![project.join("README.md")];
+    sources(&project.join("src"), &mut files);
+    sources(&project.join("examples"), &mut files);
+    let mut count = 0;
+    for file in files {
+        for [near, far] in planes(&fs::read_to_string(&file).unwrap()) {
+            count += 1;
+            assert!(
+                far <= near * MOST || near <= 0.,
+                "{}: the far plane at {far} is more than {MOST} times as far away as the near plane at {near}",
+                file.display()
+            );
+        }
+    }
+    // At the time of writing, there are 120. If there are far fewer, the scan no longer understands the programs.
+    assert!(count > 80, "{count} projections found");
 }
 
 /// The code of a depth in a format with `exponent_bits` bits of exponent. The code is not yet rounded down.

@@ -3,6 +3,7 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;

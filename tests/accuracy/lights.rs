@@ -3,6 +3,7 @@
 use std::array;
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
+use fixel::Window;
 use fixel::math::Direction;
 use fixel::prelude::*;
 use fixel::shade::{Channels as _, SurfacePoint};

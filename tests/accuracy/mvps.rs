@@ -4,6 +4,7 @@
 use std::array;
 use std::ops::Range;
 
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 use rand::Rng;

@@ -19,7 +19,7 @@ use support::reference::{projection, view};
 
 static BOX: Mesh = shape!(cuboid(vec3!(1, 0.7, 0.4)));
 static BALL: Mesh = shape!(sphere(12, 9));
-static SMALL_BALL: Mesh = shape!(sphere(9, 6), short);
+static SMALL_BALL: Mesh = shape!(sphere(9, 6), quantized);
 static CAN: Mesh = shape!(cylinder(7));
 static RING: Mesh = shape!(torus(fx!(0.4), 14, 9));
 static GROUND: Mesh = shape!(plane(3, 2));

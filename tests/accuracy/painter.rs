@@ -1,6 +1,7 @@
 //! The painter's order compared with distances in f64.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;

@@ -2,9 +2,9 @@
 //! that the pixel's center is too close to an edge, or that two faces are equally deep there.
 
 use embedded_graphics::geometry::Point;
-use fixel::Hit;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::{Hit, Window};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 

@@ -19,7 +19,7 @@ fn seen(normals: &[Vec3; 3], uvs: Small<'_, Vec2>) -> Attributes {
     let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
     let normals = normals_of_8::<3>(normals);
     let normals = Small::normals(&normals);
-    let mesh = mesh.quantized((&normals, &[]), (&uvs, &[]));
+    let mesh = mesh.with_quantized_attributes((&normals, &[]), (&uvs, &[]));
     let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100)).unwrap();
     let mut pixels = [Gray8::new(0); 12];
     let mut canvas = Canvas::new(&mut pixels, 4, 3).unwrap();

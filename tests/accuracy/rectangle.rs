@@ -6,10 +6,11 @@ use std::ops::Range;
 use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::pixelcolor::Gray8;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use fixel::Thing;
+use fixel::Window;
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
+use fixel::{Thing, Window};
 use rand::Rng;
 
 use super::in_view::corners;

@@ -1,6 +1,7 @@
 //! Sized points. The pixels of a point are compared with exact integers, and sizes in world space with f64.
 
 use crate::bands::{CASES, Frame, SIZE, XRecorder, counts, drawn, modeled, point};
+use fixel::Window;
 use fixel::prelude::*;
 use rand::Rng;
 use support::counter::{at_subpixel, pixel_projection};

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
 use rand::Rng;
@@ -24,6 +25,7 @@ struct Kind {
     axis: Option<Vec3>,
     anchor: [f64; 2],
     scale: f64,
+    angle: Option<Angle>,
 }
 
 fn kind(random: &mut Random) -> Kind {
@@ -35,6 +37,9 @@ fn kind(random: &mut Random) -> Kind {
             .then(|| rounded(anywhere(random, 2.))),
         anchor: within(random, [-0.5..1.5, -0.5..1.5]),
         scale: random.random_range(-2.0..2.),
+        angle: random
+            .random_bool(0.5)
+            .then(|| Angle::from_bits(random.random())),
     }
 }
 
@@ -68,7 +73,22 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
     // axis's direction. This error grows as the axis approaches the line of sight.
     let unit = 2_f64.powi(-16);
     let moved = relative(all) * size(all, rounded(sprite.position));
-    let largest = sprite.size.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
+    let [width, height] = sprite.size;
+    let (lengths, side) = match kind.angle {
+        None => (
+            [width * sprite.unit[0], height * sprite.unit[1]],
+            2_f64.powi(-27),
+        ),
+        // A turned side lies along both axes. Of a number with 30 bits, a unit is 2^-29 or less. The corners at an angle
+        // of 0 and of 90 degrees have errors of up to two units, and √2 times that when they are mixed. Twice the length
+        // of a corner, times the error of 2^-29 of a sine, is another 2√2 units; rounding the sum adds one. In all,
+        // there are 6.7 units.
+        Some(_) => (
+            sprite.unit.map(|unit| width.max(height) * unit),
+            2_f64.powi(-26),
+        ),
+    };
+    let largest = lengths.map(f64::abs).into_iter().fold(0., f64::max) * 2.;
     let growth = if kind.in_pixels {
         (moved + unit) / ahead.abs().max(unit)
     } else {
@@ -84,7 +104,7 @@ fn allowed(all: &[Move], eye: &Matrix, kind: Kind, sprite: &Sprite, ahead: f64) 
             .collect();
         2. * (relative(&linear) * size(&linear, axis) + 2_f64.powi(-27) * length(turned)) / aside
     });
-    unit + moved + largest * (growth + turn + 2_f64.powi(-27))
+    unit + moved + largest * (growth + turn + side)
 }
 
 fn is_perspective(projection: &ModelProjection) -> bool {
@@ -131,21 +151,16 @@ fn check<K: ProjectionKind>(
 ) {
     let [(view, _), (place, _)] = [product(&places[0]), product(&places[1])];
     let mvp = projection * Camera::from_view(view) * place;
-    compare(model, places, kind, position, &|canvas, sprites, probe| {
-        canvas.draw(sprites, &mvp, probe);
-    });
+    compare(model, places, kind, position, &mvp);
 }
 
-/// Draws sprites with a shader that records their corners.
-type Draw<'a> = &'a dyn Fn(&mut Canvas<'_, Gray8>, &Sprites<'_>, &Probe<'_, [i32; 1]>);
-
-/// Compares the corners that a function draws with the model's corners.
-fn compare(
+/// Compares the corners of sprites with the model's corners.
+fn compare<K: ProjectionKind>(
     projection: ModelProjection,
     [camera, model]: &[Vec<Move>; 2],
     kind: Kind,
     position: Vec3,
-    draw: Draw<'_>,
+    mvp: &Mvp<K>,
 ) {
     let all = [&camera[..], &model[..]].concat();
     let ((_, view_matrix), (_, eye)) = (product(camera), product(&all));
@@ -188,10 +203,9 @@ fn compare(
     });
     let sprite = Sprite {
         position: exact(position),
-        size: [
-            f64::from(width) * factors[0],
-            f64::from(height) * factors[1],
-        ],
+        size: [width, height].map(f64::from),
+        unit: factors,
+        angle: kind.angle.map_or(0., moves::radians),
         anchor: [f64::from(u), f64::from(v)],
         axis: kind.axis.map(exact),
     };
@@ -210,7 +224,10 @@ fn compare(
     };
     let mut pixels = vec![Gray8::new(0); (SIZE.0 * SIZE.1) as usize];
     let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
-    draw(&mut canvas, &sprites, &probe);
+    match kind.angle {
+        None => canvas.draw(&sprites, mvp, &probe),
+        Some(angle) => canvas.draw(&sprites.with_angles(&[angle]).unwrap(), mvp, &probe),
+    };
     if is_shown(&projection, &expected) {
         assert!(!seen.borrow().is_empty(), "{sprite:?} has no pixels");
     }

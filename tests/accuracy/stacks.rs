@@ -15,6 +15,7 @@ use fixel::canvas::Opacity;
 use fixel::prelude::*;
 use fixel::shade::{Illumination, Output, Precise, PreciseOf, Translucent};
 use fixel::view::Parallel;
+use fixel::{Primitive, Window};
 
 use rand::Rng;
 

@@ -4,6 +4,7 @@
 use std::array::{self, from_fn};
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::{Perspective, ProjectionKind};
 use rand::Rng;

@@ -8,6 +8,7 @@ use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
 use fixel::view::{Parallel, ProjectionKind};
+use fixel::{Primitive, Window};
 use rand::Rng;
 
 use crate::examples::scenes::SPHERE;
@@ -221,7 +222,8 @@ fn bands_equal_the_frame_in_parallel() {
         let scene = scene(random);
         let turn = Transform::rotate_x(Angle::from_bits(random.random()));
         let window = Window::centered(fx!(8), fx!(4));
-        let projection = Projection::cabinet(deg!(30), window, fx!(-20), fx!(20)).unwrap();
+        let projection =
+            Projection::oblique(deg!(30), fx!(0.5), fx!(-20), window, fx!(-20), fx!(20)).unwrap();
         scene.check_parallel(&(projection * turn));
     });
 }

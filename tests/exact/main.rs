@@ -20,12 +20,13 @@ mod objects;
 mod order;
 mod picking;
 mod quantized;
+mod quantized_positions;
 mod raster;
 mod readme;
 mod rotations;
 mod shaders;
 mod shades;
-mod short_positions;
+
 mod sprites;
 mod things;
 mod threads;

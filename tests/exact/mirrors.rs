@@ -2,9 +2,9 @@
 //! what mirrors and shadows promise about lights and culling.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use fixel::ShadeList;
 use fixel::prelude::*;
 use fixel::shade::PerFace;
+use fixel::{Primitive, ShadeList};
 
 const SIZE: u32 = 32;
 
@@ -50,9 +50,9 @@ fn drawn(view: &Mvp, cull: Cull) -> [[Vec<Gray8>; 2]; 2] {
         canvas.draw_prepared(&solid, &faces).unwrap();
     });
     let mut memory = ShadeList::<_, 100>::new();
-    let shades = solid.shade(&mut memory, |()| faces).unwrap();
+    let stored = solid.shade(&mut memory, |()| faces).unwrap()(&());
     let shaded = picture(&|canvas| {
-        canvas.draw_prepared(&solid, &shades.of(&faces)).unwrap();
+        canvas.draw_prepared(&solid, &stored).unwrap();
     });
     assert!(shaded == listed, "{cull:?}");
     let mut list = DrawList::<100, 100>::new();

@@ -6,9 +6,9 @@ use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::{Drawable, Pixel, prelude::Primitive as _, primitives::PrimitiveStyle};
-use fixel::ScreenPoint;
 use fixel::num::Subpixel;
 use fixel::prelude::*;
+use fixel::{ScreenPoint, Window};
 use rand::Rng;
 
 use support::random::{cases, list};

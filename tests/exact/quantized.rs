@@ -93,10 +93,10 @@ fn pixels_equal_those_of_the_unquantized_mesh() {
         let grid = UvGrid::around(&uvs, 255);
         let normals = Small::normals(&model.normals);
         let bytes = Small::uvs_of_8(&model.uvs, grid);
-        let of_8 = bare.quantized((&normals, own), (&bytes, own));
+        let of_8 = bare.with_quantized_attributes((&normals, own), (&bytes, own));
         let words = model.uvs.map(|uv| uv.map(u16::from));
         let words = Small::uvs_of_16(&words, grid);
-        let of_16 = bare.quantized((&normals, own), (&words, own));
+        let of_16 = bare.with_quantized_attributes((&normals, own), (&words, own));
         assert_eq!((of_8, of_16), (long, long));
 
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.1), fx!(0.9)).unwrap();

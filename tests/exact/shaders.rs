@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
+use fixel::Primitive;
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
 use fixel::shade::{PerFace, Within};

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
-use fixel::{Object, ShadeList};
+use fixel::{Object, Primitive, ShadeList};
 
 use crate::List;
 
@@ -78,8 +78,8 @@ macro_rules! check {
                 .unwrap();
             let expected = frame(|band| band.draw_prepared(&prepared, &shader).unwrap());
             assert!(expected.0.iter().any(|pixel| pixel.luma() > 0));
-            let shades = prepared.shade(memory, |()| shader).unwrap();
-            let found = frame(|band| band.draw_prepared(&prepared, &shades.of(&shader)).unwrap());
+            let stored = prepared.shade(memory, |()| shader).unwrap()(&());
+            let found = frame(|band| band.draw_prepared(&prepared, &stored).unwrap());
             assert!(found == expected);
         }
     }};
@@ -104,21 +104,21 @@ fn a_shader_is_asked_once_for_each_visible_triangle() {
     let (shader, mut memory) = (Counting(&asked), ShadeList::<_, 400>::new());
     let (options, mvp) = (DrawOptions::new(), view() * places()[1]);
     let ball = list.prepare(&options, SIZE, &BALL, &mvp).unwrap();
-    let shades = ball.shade(&mut memory, |()| shader).unwrap();
+    let stored = ball.shade(&mut memory, |()| shader).unwrap()(&());
     let visible = asked.get();
-    let (expected, _) = frame(|band| band.draw_prepared(&ball, &shades.of(&shader)).unwrap());
+    let (expected, _) = frame(|band| band.draw_prepared(&ball, &stored).unwrap());
     assert_eq!(asked.get(), visible);
     frame(|band| band.draw_prepared(&ball, &shader).unwrap());
     assert!(asked.get() > visible * 2);
 
     // If something else is drawn with the stored values, the shader is asked again.
     let before = asked.get();
-    let (found, _) = frame(|band| band.draw(&BALL, &mvp, &shades.of(&shader)));
+    let (found, _) = frame(|band| band.draw(&BALL, &mvp, &stored));
     assert!(found == expected && asked.get() > before);
     let mut other = List::new();
     let mvp = view() * places()[0];
     let other = other.prepare(&options, SIZE, &BALL, &mvp).unwrap();
-    let (found, _) = frame(|band| band.draw_prepared(&other, &shades.of(&shader)).unwrap());
+    let (found, _) = frame(|band| band.draw_prepared(&other, &stored).unwrap());
     let (expected, _) = frame(|band| band.draw_prepared(&other, &shader).unwrap());
     assert!(found == expected);
 
@@ -145,13 +145,13 @@ fn the_objects_of_a_scene_are_shaded_by_their_materials() {
     let scene = list
         .prepare_back_to_front(&options, SIZE, &mut objects, &view)
         .unwrap();
-    let shades = scene.shade(&mut memory, |&material| material).unwrap();
+    let stored = scene.shade(&mut memory, |&material| material).unwrap();
     let drawn = |is_stored: bool| {
         frame(|band| {
             let mut drawn = Drawn::default();
             for (shader, part) in scene.parts(band).unwrap() {
                 drawn += if is_stored {
-                    band.draw_prepared(&part, &shades.of(shader)).unwrap()
+                    band.draw_prepared(&part, &stored(shader)).unwrap()
                 } else {
                     band.draw_prepared(&part, shader).unwrap()
                 };

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use fixel::prelude::*;
 use fixel::shade::PerFace;
-use fixel::{Object, ShadeList};
+use fixel::{Object, Primitive, ShadeList, Window};
 
 use crate::List;
 
@@ -198,7 +198,9 @@ fn a_face_in_the_near_plane_is_drawn() {
     for distance in 3..20 {
         let near = Scalar::try_from(distance).unwrap();
         let model = Transform::translate(Vec3::new(fx!(0), fx!(0), -near - fx!(0.7)));
-        let oblique = Projection::cabinet(deg!(30), window, near, near + fx!(3.3)).unwrap() * model;
+        let oblique = Projection::oblique(deg!(30), fx!(0.5), near, window, near, near + fx!(3.3))
+            .unwrap()
+            * model;
         let flat = Projection::orthographic(window, near, near + fx!(7)).unwrap() * model;
         let perspective =
             Projection::perspective(deg!(90), (4, 3), near, near * 2).unwrap() * model;
@@ -328,8 +330,7 @@ fn fronts_are_what_culling_leaves() {
             let found = picture(|canvas| _ = canvas.draw_prepared(&listed, &Fronts).unwrap());
             assert!(found == expected, "{place:?} {mirror:?}, listed");
             let mut memory = ShadeList::<_, 8>::new();
-            let shades = listed.shade(&mut memory, |()| Fronts).unwrap();
-            let fronts = shades.of(&Fronts);
+            let fronts = listed.shade(&mut memory, |()| Fronts).unwrap()(&());
             let found = picture(|canvas| _ = canvas.draw_prepared(&listed, &fronts).unwrap());
             assert!(found == expected, "{place:?} {mirror:?}, stored");
         }

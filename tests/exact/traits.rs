@@ -22,7 +22,7 @@ use fixel::textbook::Segment;
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, OrHole, Raw, Trilinear};
 use fixel::texture::{Bilinear, CutOut, Nearest};
 use fixel::view::{Aspect, Parallel, Perspective};
-use fixel::{Hit, Index, Matrix4, Prepared, ScreenPoint, Spin};
+use fixel::{DepthView, Hit, Index, Matrix4, NormalView, Prepared, Primitive, ScreenPoint, Window};
 
 const fn any<T: Debug + Send + Sync + Unpin>() {}
 const fn shared<T: Clone + Debug + Send + Sync>() {}
@@ -36,7 +36,7 @@ macro_rules! all {
     ($check:ident: $($Type:ty)+) => { const _: () = { $($check::<$Type>();)+ }; };
 }
 
-all!(value: Error Scalar TexCoord fixel::num::Fraction Index Angle Rate Spin);
+all!(value: Error Scalar TexCoord fixel::num::Fraction Index Angle Rate);
 all!(value: Vec2 Vec3 Direction Matrix4 Transform);
 all!(value: Aspect Camera Mvp Mvp<Parallel> Parallel Perspective Projection Projection<Parallel>);
 all!(value: Segment Viewport Window);
@@ -67,7 +67,7 @@ all!(any: Buffers<'static> ErrorDiffusion<'static> Canvas<'static, Rgb565> Canva
 all!(default: Affine Compact Exact Newton TestAndWrite TestBehind TestNearer TestOnly WriteOnly NoTest LineStyle PointStyle);
 all!(default: Biased Biased<NoTest> Add Multiply Replace Parallel Perspective PerFace<u8> Texels Within<1, Texels>);
 all!(default: Bilinear ColorIndex Contrast Nearest Trilinear);
-all!(default: Angle Rate Spin Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
+all!(default: Angle Rate Vec2 Vec3 Direction Matrix4 Transform Camera Counts Cull DrawOptions);
 all!(default: Drawn Missing Gouraud<Rgb565> DepthView<Rgb565> NormalView<Rgb565> DrawList<1, 1>);
 all!(shown: Error Scalar Angle Vec2 Vec3);
 all!(error: Error);

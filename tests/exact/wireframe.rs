@@ -1,6 +1,7 @@
 //! A mesh's edges drawn over the mesh itself: no visible edge has gaps.
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use fixel::Window;
 use fixel::canvas::{Add, Biased, DepthTest, TestAndWrite, WriteOnly};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;

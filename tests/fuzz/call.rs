@@ -11,7 +11,7 @@ use fixel::canvas::{
     Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, Multiply, Opacity, Storage,
     TestAndWrite,
 };
-use fixel::mesh::flash::{Small, UvGrid, short_normal};
+use fixel::mesh::flash::{Small, UvGrid, normal_of_8};
 use fixel::mesh::{Material, Part};
 use fixel::mode::Mode;
 use fixel::prelude::*;
@@ -190,14 +190,15 @@ impl<K: ProjectionKind> Call<'_, K> {
         let bytes: Vec<_> = stored.iter().map(|uv| uv.map(|x| x as u8)).collect();
         assert!(stored.iter().flatten().all(|&x| x < 256));
         let short =
-            |normals: &Attribute<Vec3>| normals.values.iter().copied().map(short_normal).collect();
+            |normals: &Attribute<Vec3>| normals.values.iter().copied().map(normal_of_8).collect();
         let stored: Vec<_> = normals.as_ref().map_or(vec![], short);
         let own = |faces: Option<&'_ [[u16; 3]]>| faces.unwrap_or_default().to_vec();
         let uv_faces = own(uvs.as_ref().and_then(Attribute::faces));
         let normal_faces = own(normals.as_ref().and_then(Attribute::faces));
         let (stored, bytes) = (Small::normals(&stored), Small::uvs_of_8(&bytes, grid));
         let bare = self.mesh.without_normals().without_uvs();
-        let quantized = bare.quantized((&stored, &normal_faces), (&bytes, &uv_faces));
+        let quantized =
+            bare.with_quantized_attributes((&stored, &normal_faces), (&bytes, &uv_faces));
         let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7)).unwrap();
         let call = Call {
             mesh: &quantized,

@@ -184,7 +184,7 @@ fn check_lists(lists: &Lists, crease: f64) {
             .iter()
             .all(|&at| usize::from(at) < count)
     );
-    let (short, fraction) = lists.shortened();
+    let (short, fraction) = lists.quantized_positions();
     assert!(short.len() == count && fraction <= 16);
 }
 

@@ -1,6 +1,7 @@
 //! Projections made from arbitrary numbers, both by the crate and by the model.
 
 use arbitrary::{Result, Unstructured};
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 

@@ -1,6 +1,7 @@
 //! A shader with colors that depend on every bit of its input.
 
 use embedded_graphics::pixelcolor::Rgb565;
+use fixel::Primitive;
 use fixel::prelude::*;
 
 use support::recorder::{Coordinates, Few};

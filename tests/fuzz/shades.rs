@@ -6,6 +6,7 @@ use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Gradient, Mipmapped, Output, PartColors, Translucent};
 use fixel::texture::{Argb1555, Argb4444, Indexed, Mipmap, Nearest};
+use fixel::{DepthView, NormalView};
 
 use super::numbers::{option, scalar, vector};
 

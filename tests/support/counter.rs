@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Gray8;
 use fixel::canvas::{Blending, TestAndWrite};
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
-use fixel::{Drawn, mode};
+use fixel::{Drawn, Window, mode};
 
 use crate::recorder::{Recorder, record};
 

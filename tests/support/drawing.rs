@@ -1,6 +1,7 @@
 //! Drawing with a shader that records its input.
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Primitive;
 use fixel::canvas::DepthBuffer;
 use fixel::prelude::*;
 use fixel::shade::{Tolerance, Varyings};

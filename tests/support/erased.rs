@@ -7,6 +7,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::PixelColor;
+use fixel::Primitive;
 use fixel::prelude::*;
 use fixel::shade::{ColorOf, Lanes, Output, PerFace, Texels, Tolerance, Varyings, Within};
 

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use embedded_graphics::pixelcolor::{Gray8, PixelColor};
+use fixel::Primitive;
 use fixel::prelude::*;
 use fixel::shade::{ColorOf, Lanes, Output, PerFace, Tolerance, Varyings};
 

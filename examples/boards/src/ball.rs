@@ -7,7 +7,7 @@ use embedded_graphics::text::Text;
 use fixel::canvas::Storage;
 use fixel::prelude::*;
 use fixel::shade::FaceLit;
-use fixel::{Prepared, ShadeList, Shades};
+use fixel::{Prepared, ShadeList};
 
 static BALL: Mesh = shape!(sphere(32, 32));
 
@@ -64,35 +64,35 @@ impl Scene {
     /// # Errors
     ///
     /// The memory is too short for the visible triangles.
-    pub fn at<'m>(&self, now_ms: u64, memory: &'m mut Memory) -> Result<Moment<'m>, Error> {
+    pub fn at<'m>(
+        &self,
+        now_ms: u64,
+        memory: &'m mut Memory,
+    ) -> Result<Moment<'m, impl ShaderFor<Rgb565> + use<'m>>, Error> {
         let turn = Transform::rotate_x(Rate::rpm(7).angle_at(now_ms))
             * Transform::rotate_y(Rate::rpm(10).angle_at(now_ms));
         let mvp = self.view * turn;
         let ball = memory
             .list
             .prepare(&DrawOptions::new(), self.size, &BALL, &mvp)?;
-        let light = ball.shade(&mut memory.light, |()| self.clay)?;
-        Ok(Moment {
-            ball,
-            light,
-            clay: self.clay,
-        })
+        let clay = self.clay;
+        let clay = ball.shade(&mut memory.light, move |()| clay)?(&());
+        Ok(Moment { ball, clay })
     }
 }
 
 /// A moment of the scene.
-pub struct Moment<'m> {
+pub struct Moment<'m, S> {
     ball: Prepared<'m>,
-    light: Shades<'m, Clay>,
-    clay: Clay,
+    clay: S,
 }
 
-impl Moment<'_> {
+impl<S: ShaderFor<Rgb565>> Moment<'_, S> {
     /// Draws the part of the frame that belongs to the canvas.
     pub fn draw<O: Storage<Rgb565>>(&self, canvas: &mut Canvas<'_, Rgb565, O>) {
         canvas.clear(SKY);
         // A ball hides nothing of itself but its back, so no depth buffer is needed.
-        let Ok(_) = canvas.draw_prepared(&self.ball, &self.light.of(&self.clay)) else {
+        let Ok(_) = canvas.draw_prepared(&self.ball, &self.clay) else {
             return;
         };
         let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);

@@ -64,7 +64,9 @@ pub static ROOFS: Mesh = {
         }
         (positions, uvs, faces)
     };
-    Mesh::checked(Mesh::checked(Mesh::short(&CORNERS.0, 4, &CORNERS.2)).with_uvs(&CORNERS.1, None))
+    Mesh::checked(
+        Mesh::checked(Mesh::quantized(&CORNERS.0, 4, &CORNERS.2)).with_uvs(&CORNERS.1, None),
+    )
 };
 
 /// A window: the middle of its sill in sixteenths of a unit, whether it faces north, and half its width and its height.
@@ -139,7 +141,7 @@ static PANE_FACES: [[Index; 3]; 2 * PANES] = {
 };
 
 const fn panes(positions: &'static [[i16; 3]; 4 * PANES]) -> Mesh<'static> {
-    let mesh = Mesh::checked(Mesh::short(positions, 4, &PANE_FACES));
+    let mesh = Mesh::checked(Mesh::quantized(positions, 4, &PANE_FACES));
     Mesh::checked(mesh.with_uvs(&PANE_UVS, None))
 }
 

@@ -280,7 +280,7 @@ macro_rules! layer {
         static FACES: [[Index; 3]; DRAFT.triangles] = first!(DRAFT.triangles, DRAFT.faces);
         Layer {
             mesh: Mesh::checked(
-                Mesh::checked(Mesh::short(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),
+                Mesh::checked(Mesh::quantized(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),
             ),
             starts: DRAFT.starts,
         }

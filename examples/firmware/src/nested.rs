@@ -10,7 +10,7 @@ use fixel::prelude::*;
 pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
 /// The same triangles in reverse order, with 16-bit positions. The positions have the same values, but a Cortex-M0+
 /// transforms them with other code.
-pub static OUTWARDS: Mesh = mesh(Mesh::short(&SHORT.0, SHORT.1, &REVERSED));
+pub static OUTWARDS: Mesh = mesh(Mesh::quantized(&QUANTIZED.0, QUANTIZED.1, &REVERSED));
 
 const SHAPES: [Result<Shape, Error>; 2] = [
     Shape::cuboid(vec3!(1, 1, 1)),
@@ -50,8 +50,8 @@ static CUBES: Cubes = {
     cubes
 };
 
-static SHORT: ([[i16; 3]; 2 * COUNTS.positions], u32) = match INWARDS.shortened() {
-    Ok(short) => short,
+static QUANTIZED: ([[i16; 3]; 2 * COUNTS.positions], u32) = match INWARDS.quantized_positions() {
+    Ok(quantized) => quantized,
     Err(_) => panic!("the counts are exact"),
 };
 

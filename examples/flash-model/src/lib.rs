@@ -97,7 +97,8 @@ impl<'a> Model<'a> {
         let texels = lists.arrays::<u16, 1>(header.texels)?;
         lists.end()?;
 
-        let mesh = Mesh::short(positions, header.fraction, faces).map_err(|_| Problem::Lists)?;
+        let mesh =
+            Mesh::quantized(positions, header.fraction, faces).map_err(|_| Problem::Lists)?;
         let counts = (positions.len(), faces.len());
         check(counts, normals.len(), normal_faces)?;
         check(counts, uvs.len(), uv_faces)?;
@@ -131,7 +132,8 @@ impl<'a> Model<'a> {
     #[must_use]
     pub const fn mesh(&self) -> Mesh<'_> {
         let normals = (&self.normals, self.normal_faces);
-        self.mesh.quantized(normals, (&self.uvs, self.uv_faces))
+        self.mesh
+            .with_quantized_attributes(normals, (&self.uvs, self.uv_faces))
     }
 
     /// The colors of vertices; `None` if the model has none.

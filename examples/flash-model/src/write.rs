@@ -6,7 +6,7 @@ use std::path::Path;
 use bytemuck::NoUninit;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use fixel::mesh::flash::{UvGrid, short_normal};
+use fixel::mesh::flash::{UvGrid, normal_of_8};
 use fixel::{Vec2, Vec3};
 use fixel_assets::vector::{length, sub};
 use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
@@ -50,10 +50,10 @@ pub fn write(
     let lists = model.lists(&options).map_err(of_model)?;
     let (parts, pictures) = parts(&model, files, spare, notes);
 
-    let (positions, fraction) = lists.shortened();
+    let (positions, fraction) = lists.quantized_positions();
     let normals = lists.normals.iter();
     let normals: Vec<_> = normals
-        .map(|&bits| short_normal(Vec3::from_bits(bits)))
+        .map(|&bits| normal_of_8(Vec3::from_bits(bits)))
         .collect();
     let mut corners = [[0; 2]; 2];
     let mut uvs = Vec::new();

@@ -3,6 +3,7 @@
 use core::cell::Cell;
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::Primitive;
 use fixel::prelude::*;
 use fixel::shade::{PerFace, Texels};
 

@@ -1,5 +1,6 @@
 //! Makes the library's camera, projection and light from the framing.
 
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::{Parallel, Perspective};
 
@@ -76,8 +77,8 @@ impl View {
             };
             let angle = Angle::from_degrees(45);
             AnyProjection::Parallel(match args.projection {
-                Kind::Cabinet => Projection::cabinet(angle, window, near, far)?,
-                Kind::Cavalier => Projection::cavalier(angle, window, near, far)?,
+                Kind::Cabinet => Projection::oblique(angle, fx!(0.5), near, window, near, far)?,
+                Kind::Cavalier => Projection::oblique(angle, fx!(1), near, window, near, far)?,
                 _ => Projection::orthographic(window, near, far)?,
             })
         };

@@ -387,7 +387,7 @@ impl Lists {
     /// The positions with 16-bit components, rounded to nearest, and the number of their fraction bits. There are as
     /// many fraction bits as the largest component permits, at most 16.
     #[must_use]
-    pub fn shortened(&self) -> (Vec<[i16; 3]>, u32) {
+    pub fn quantized_positions(&self) -> (Vec<[i16; 3]>, u32) {
         let units = |bits: i32, fraction: u32| {
             let down = SCALAR - fraction;
             (i64::from(bits) * 2 + (1 << down)) >> (down + 1)

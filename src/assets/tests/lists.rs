@@ -308,31 +308,43 @@ fn runs_are_faces_of_one_material() {
 
 #[test]
 fn positions_of_16_bits_keep_as_many_fraction_bits_as_fit() {
-    let shortened = |positions: &[[i32; 3]]| {
+    let quantized_positions = |positions: &[[i32; 3]]| {
         let positions = positions.to_vec();
         Lists {
             positions,
             ..Lists::default()
         }
-        .shortened()
+        .quantized_positions()
     };
     // The largest component decides: i16 ends at 32,767.
     assert_eq!(
-        shortened(&[[32_767, -32_768, 5]]),
+        quantized_positions(&[[32_767, -32_768, 5]]),
         (vec![[32_767, -32_768, 5]], 16)
     );
-    assert_eq!(shortened(&[[0, -32_769, 0]]), (vec![[0, -16_384, 0]], 15));
-    assert_eq!(shortened(&[[32_768, 3, -3]]), (vec![[16_384, 2, -1]], 15));
-    assert_eq!(shortened(&[[1 << 16, 6, 10]]), (vec![[1 << 14, 2, 3]], 14));
-    // 65,535 halved would round up to 32,768, which does not fit.
-    assert_eq!(shortened(&[[65_535, 0, 0]]), (vec![[16_384, 0, 0]], 14));
     assert_eq!(
-        shortened(&[[i32::MIN, 0, 32_768]]),
+        quantized_positions(&[[0, -32_769, 0]]),
+        (vec![[0, -16_384, 0]], 15)
+    );
+    assert_eq!(
+        quantized_positions(&[[32_768, 3, -3]]),
+        (vec![[16_384, 2, -1]], 15)
+    );
+    assert_eq!(
+        quantized_positions(&[[1 << 16, 6, 10]]),
+        (vec![[1 << 14, 2, 3]], 14)
+    );
+    // 65,535 halved would round up to 32,768, which does not fit.
+    assert_eq!(
+        quantized_positions(&[[65_535, 0, 0]]),
+        (vec![[16_384, 0, 0]], 14)
+    );
+    assert_eq!(
+        quantized_positions(&[[i32::MIN, 0, 32_768]]),
         (vec![[-32_768, 0, 1]], 0)
     );
     // The largest number rounds up beyond i16 even without fraction bits, and is clamped.
     assert_eq!(
-        shortened(&[[i32::MAX, 0, 32_767]]),
+        quantized_positions(&[[i32::MAX, 0, 32_767]]),
         (vec![[32_767, 0, 0]], 0)
     );
 }

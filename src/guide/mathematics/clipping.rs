@@ -25,6 +25,7 @@
 //! ```
 //! use embedded_graphics::pixelcolor::BinaryColor;
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let ends = [vec3!(2, 1, -4), vec3!(-1, -2, 2)];
 //! let edge = Mesh::new(&ends, &[])?.with_edges(&[[0, 1]])?;

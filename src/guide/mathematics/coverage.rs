@@ -32,6 +32,7 @@
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! /// The share beyond an edge of slope m at the distance d.
 //! fn share(m: f64, d: f64) -> f64 {

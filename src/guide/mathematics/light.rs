@@ -26,6 +26,7 @@
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let corners = [vec3!(1, -1, -1), vec3!(1, 1, -1), vec3!(-1, 1, 1), vec3!(-1, -1, 1)];
 //! let roof = Mesh::new(&corners, &[[0, 1, 2], [0, 2, 3]])?;

@@ -26,6 +26,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
 //! assert_eq!(projection.vanishing_point(vec3!(1, 0, -4)), Some([fx!(0.5), fx!(0)]));
@@ -66,6 +67,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
 //! let points = |turn: Transform| {

@@ -77,7 +77,7 @@
 #![doc = formula!({D = frac(65535 n)(w)} {frac(d D)(d w) = -frac(65535 n)(w^2)} {var "Δ" w = frac(w^2)(65535 n)})]
 //!
 //! So a step grows with the **square** of the distance. Relative to the distance, it is *w*/(65535 *n*): 1 % at 655
-//! times the near plane's distance.
+//! times the near plane's distance. [The rule for the two planes](crate::guide::concepts#depth) follows from this.
 //!
 //! By hand, with *n* = 1 and *w* = 1000: *D* = 65.535, so the buffer stores 65. The formula gives a step of
 //! 1,000,000/65,535 = 15.3. The exact ends of the step are 65535/66 = 993.0 and 65535/65 = 1008.2. Two surfaces at the

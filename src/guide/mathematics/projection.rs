@@ -25,6 +25,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
 //! for (x, y) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
@@ -84,6 +85,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let window = Window::centered(fx!(2), fx!(2));
 //! let matrix = Projection::frustum(window, fx!(2), fx!(10))?.to_matrix();
@@ -123,7 +125,7 @@
 //! the first number, because the last row of *P* has −1 in the third column. The results are *A* and *B*.
 //!
 //! ```
-//! use fixel::{Matrix4, prelude::*, textbook::perspective_transform};
+//! use fixel::{Window, Matrix4, prelude::*, textbook::perspective_transform};
 //!
 //! let inner = perspective_transform(fx!(2), fx!(10));
 //! assert_eq!(inner.project(vec3!(1, 1, -5)), Some(vec3!(0.4, 0.4, -8))); // 12 − 20/5
@@ -147,6 +149,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let window = Window::centered(fx!(2), fx!(2));
 //! let matrix = Projection::frustum(window, fx!(2), fx!(10))?.to_matrix();
@@ -177,6 +180,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let projection = Projection::perspective(deg!(60), fx!(1.5), fx!(2), fx!(10))?;
 //! let Window { left, right, bottom, top } = projection.window();
@@ -195,6 +199,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! // The practice cube's front corner, in a picture of 240x240 pixels.
 //! let projection = Projection::frustum(Window::centered(fx!(2), fx!(2)), fx!(2), fx!(10))?;
@@ -230,6 +235,7 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let window = Window { left: fx!(-3), right: fx!(5), bottom: fx!(-1), top: fx!(1) };
 //! let plan = Projection::orthographic(window, fx!(2), fx!(10))?.to_matrix();
@@ -272,16 +278,18 @@
 //!
 //! ```
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
-//! // The window is ±1, like normalized device coordinates. Depth runs at 30° to the right.
+//! // The window is ±1, like normalized device coordinates. Depth runs at 30° to the right, from the near plane.
 //! let window = Window::centered(fx!(2), fx!(2));
-//! let edge = |projection: Projection<fixel::view::Parallel>| {
-//!     let at = |z| projection.to_matrix().project(Vec3::new(fx!(0), fx!(0), z)).unwrap();
+//! let edge = |ratio| -> Result<f64, Error> {
+//!     let view = Projection::oblique(deg!(30), ratio, fx!(1), window, fx!(1), fx!(9))?;
+//!     let at = |z| view.to_matrix().project(Vec3::new(fx!(0), fx!(0), z)).unwrap();
 //!     let edge = at(fx!(-2)) - at(fx!(-1));
-//!     f64::from(edge.x).hypot(edge.y.into())
+//!     Ok(f64::from(edge.x).hypot(edge.y.into()))
 //! };
-//! assert!((edge(Projection::cavalier(deg!(30), window, fx!(1), fx!(9))?) - 1.0).abs() < 1e-4);
-//! assert!((edge(Projection::cabinet(deg!(30), window, fx!(1), fx!(9))?) - 0.5).abs() < 1e-4);
+//! assert!((edge(fx!(1))? - 1.0).abs() < 1e-4);
+//! assert!((edge(fx!(0.5))? - 0.5).abs() < 1e-4);
 //! # Ok::<(), Error>(())
 //! ```
 //!
@@ -296,6 +304,7 @@
 //! ```
 //! use embedded_graphics::pixelcolor::Gray8;
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! // (1, 0, 0) is turned to (0, 1, 0), moved to (2, 1, 0), and seen at (2, 1, −5).
 //! let camera = Camera::look_at(vec3!(0, 0, 5), Vec3::ZERO, Vec3::Y)?;

@@ -132,8 +132,7 @@
 //! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If the
 //! program adds rounded steps, the rounding errors add up: 16 ms at ten turns per minute are 11,453,246.12 units, so
 //! each frame loses 0.12 of a unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time
-//! as integers, drops whole turns, and rounds once. [`Spin`](crate::Spin) is incremental: it adds exact fractions of a
-//! turn, and rounds only the result. Both give the same bits at any time, for frames of any length.
+//! as integers, drops whole turns, and rounds once. So its result is the same at any time, for frames of any length.
 //!
 //! ```
 //! use fixel::{Angle, Fraction, Rate, deg};
@@ -145,13 +144,12 @@
 //! assert_eq!(rate.angle_at(1_500), deg!(90));
 //! assert_eq!(rate.angle_at(30 * 24 * 3_600_000 + 1_500), deg!(90)); // 30 days later
 //!
-//! let (mut spin, mut rounded) = (rate.spin(), Angle::ZERO);
+//! let mut sum = Angle::ZERO;
 //! for _ in 0..375 * 600 { // an hour: 600 turns of 375 frames of 16 ms
-//!     spin.advance(16);
-//!     rounded += rate.angle_at(16);
+//!     sum += rate.angle_at(16);
 //! }
-//! assert_eq!(spin.angle(), Angle::ZERO);
-//! assert_eq!(rounded, -Angle::from_bits(27_600)); // and growing
+//! assert_eq!(rate.angle_at(3_600_000), Angle::ZERO);
+//! assert_eq!(sum, -Angle::from_bits(27_600)); // 0.002 degrees, and growing
 //! ```
 //!
 //! Tests: `accuracy/formulas/time.rs`.

@@ -65,6 +65,7 @@
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 //! use fixel::canvas::Add;
 //! use fixel::prelude::*;
+//! use fixel::Window;
 //!
 //! let [a, b] = [vec3!(1.5, -1.5, 0), vec3!(5.5, -1.5, 0)];
 //! let [c, d] = [vec3!(1.5, -5.5, 0), vec3!(5.5, -5.5, 0)];

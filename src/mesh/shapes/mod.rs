@@ -5,22 +5,30 @@ mod surface;
 mod tests;
 mod writer;
 
-use core::ops::Bound::{Excluded, Unbounded};
+use core::ops::Bound::{Excluded, Included, Unbounded};
 
 use super::{Buffers, Counts, Mesh};
 use crate::error::{Error, check_count, check_range, ok};
 use crate::math::Vec3;
 use crate::num::Scalar;
-use surface::Surface;
+use surface::{Profile, Row, Surface, row_count};
 use writer::MeshWriter;
 
 /// A generated shape. [`shape!`](crate::shape) turns a shape into a mesh in flash, and [`build`](Self::build) turns it
 /// into a mesh in the caller's memory.
 ///
-/// All shapes are centered on the origin. Shapes have positions, unit normals, texture coordinates from 0 to 1, and
-/// edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen from outside.
-/// Where the texture or the normal jumps, a position is stored twice or more often. To resize a shape, scale it with a
-/// [`Transform`](crate::Transform).
+#[cfg_attr(doc, doc = page_picture!("shapes", "A box, a sphere, a torus, a square; a cylinder, a cone, a disc, a vase from a lathe"))]
+/// | constructor | shape |
+/// |---|---|
+/// | [`cuboid`](Self::cuboid) | a box |
+/// | [`sphere`](Self::sphere), [`torus`](Self::torus), [`cylinder`](Self::cylinder), [`cone`](Self::cone) | closed bodies around the y axis |
+/// | [`plane`](Self::plane), [`disc`](Self::disc) | surfaces that face up |
+/// | [`lathe`](Self::lathe) | a surface of revolution: a profile of yours, turned around the y axis |
+///
+/// All shapes except those of a lathe are centered on the origin. Shapes have positions, unit normals, texture
+/// coordinates from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are
+/// counter-clockwise as seen from outside. Where the texture or the normal jumps, a position is stored twice or more
+/// often. To resize a shape, scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -36,9 +44,10 @@ use writer::MeshWriter;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Shape {
-    surface: Surface,
-    /// The size of the grid that is bent to the surface; 0 for a cuboid, which is not a grid.
+pub struct Shape<'p> {
+    surface: Surface<'p>,
+    /// The size of the grid that is bent to the surface; 0 for a cuboid, which is not a grid. The profile of a lathe has
+    /// the rows.
     columns: u32,
     rows: u32,
 }
@@ -47,8 +56,17 @@ const fn parts(of: &'static str, given: u32, min: usize) -> Result<(), Error> {
     check_count(of, given as usize, [min, Shape::MAX_PARTS as usize])
 }
 
-impl Shape {
-    /// The most slices, stacks, sides, columns or rows of a shape. Because indices have 16 bits, a sphere of this many
+/// The profiles of the shapes that are made on a lathe.
+const CYLINDER: &Profile = &[(Scalar::ONE, Scalar::ONE), (Scalar::ONE, DOWN)];
+const CONE: &Profile = &[
+    (Scalar::ZERO, Scalar::ONE),
+    (Scalar::ZERO, Scalar::ONE),
+    (Scalar::ONE, DOWN),
+];
+const DOWN: Scalar = Scalar::from_bits(-Scalar::ONE.to_bits());
+
+impl Shape<'static> {
+    /// The most slices, stacks, sides, columns, rows or points of a shape. Because indices have 16 bits, a sphere of this many
     /// slices can only have 2 stacks, a plane of this many columns or rows has at most 2 parts in the other direction,
     /// and a torus or a cylinder has at most this many slices less one.
     pub const MAX_PARTS: u32 = 16_384;
@@ -126,15 +144,99 @@ impl Shape {
     /// [`Error::Count`] if there are fewer than 3 slices; [`Error::Count`] if the 4(`slices` + 1) positions are more
     /// than 65,536.
     pub const fn cylinder(slices: u32) -> Result<Self, Error> {
-        Self::of(
-            Surface::Cylinder,
-            [slices, 1],
-            &[parts("slices", slices, 3)],
-        )
+        let surface = Surface::Lathe(CYLINDER, [Some(Scalar::ONE), Some(DOWN)]);
+        Self::of(surface, [slices, 0], &[parts("slices", slices, 3)])
+    }
+
+    /// A closed cone around the y axis, with its tip at y = 1 and a base of radius 1 at y = −1, with `slices` sides.
+    ///
+    /// The texture wraps around the side once, with its upper edge at the tip, and the base shows a disc cut from the
+    /// texture.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static ROOF: Mesh = shape!(cone(12));
+    /// assert_eq!(ROOF.faces().len(), 12 + 12); // side, base
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] if there are fewer than 3 slices; [`Error::Count`] if the 3(`slices` + 1) positions are more
+    /// than 65,536.
+    pub const fn cone(slices: u32) -> Result<Self, Error> {
+        let surface = Surface::Lathe(CONE, [None, Some(DOWN)]);
+        Self::of(surface, [slices, 0], &[parts("slices", slices, 3)])
+    }
+
+    /// A horizontal disc of radius 1 at y = 0 that faces up, with `slices` sides. It shows a disc cut from the texture,
+    /// in the place where a [`plane`](Self::plane) shows it.
+    ///
+    /// ```
+    /// use fixel::prelude::*;
+    /// static COIN: Mesh = shape!(disc(16));
+    /// assert_eq!((COIN.positions().len(), COIN.faces().len()), (17, 16));
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] if there are fewer than 3 slices.
+    pub const fn disc(slices: u32) -> Result<Self, Error> {
+        let surface = Surface::Lathe(&[], [Some(Scalar::ZERO), None]);
+        Self::of(surface, [slices, 0], &[parts("slices", slices, 3)])
+    }
+}
+
+impl<'p> Shape<'p> {
+    /// A surface of revolution: a profile, turned around the y axis in `slices` steps, as on a potter's wheel or a
+    /// lathe.
+    ///
+    /// The profile is a list of points (distance from the axis, height). List them as you see the right half of the
+    /// outside, from the top to the bottom. Where the list runs up, you see the surface from the axis, as the inside of
+    /// a cup. The surface is closed if the first and the last point are on the axis, or if they are the same.
+    ///
+    /// The surface is smooth. **A point that is repeated makes an edge there**; on the axis, it makes a tip. The texture
+    /// wraps around the axis once, and runs down the profile in proportion to its length.
+    ///
+    /// ```
+    /// use fixel::mesh::Shape;
+    /// use fixel::prelude::*;
+    ///
+    /// /// A pawn: a ball, a collar with an edge above and below, a foot, and a flat bottom.
+    /// const PAWN: &[(Scalar, Scalar)] = &[
+    ///     (fx!(0), fx!(1)), (fx!(0.3), fx!(0.85)), (fx!(0.35), fx!(0.6)), (fx!(0.2), fx!(0.4)),
+    ///     (fx!(0.2), fx!(0.4)), (fx!(0.45), fx!(0.35)),
+    ///     (fx!(0.45), fx!(0.35)), (fx!(0.2), fx!(0.3)), (fx!(0.3), fx!(-0.5)), (fx!(0.6), fx!(-1)),
+    ///     (fx!(0.6), fx!(-1)), (fx!(0), fx!(-1)),
+    /// ];
+    /// static MESH: Mesh = shape!(lathe(16, PAWN));
+    /// // Two triangles for each slice of a part, none where a point is repeated, and one at each end.
+    /// assert_eq!(MESH.faces().len(), 16 * (1 + 2 * 6 + 1));
+    ///
+    /// // At run time, from a profile in memory.
+    /// let bowl = [(fx!(1), fx!(0.5)), (fx!(0.7), fx!(-0.2)), (fx!(0), fx!(-0.5))];
+    /// assert_eq!(Shape::lathe(12, &bowl)?.counts().faces, 12 * (2 + 1));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] if there are fewer than 3 slices or 2 points; [`Error::OutOfRange`] if a distance from the axis
+    /// is below 0; [`Error::Count`] if the (`slices` + 1) positions of each point are more than 65,536 in all.
+    pub const fn lathe(slices: u32, profile: &'p [(Scalar, Scalar)]) -> Result<Self, Error> {
+        let most = Shape::MAX_PARTS as usize;
+        ok!(check_count("points", profile.len(), [2, most]));
+        let mut at = 0;
+        while at < profile.len() {
+            let from_0 = (Included(Scalar::ZERO), Unbounded);
+            ok!(check_range("distance from the axis", profile[at].0, from_0));
+            at += 1;
+        }
+        let surface = Surface::Lathe(profile, [None; 2]);
+        Self::of(surface, [slices, 0], &[parts("slices", slices, 3)])
     }
 
     const fn of(
-        surface: Surface,
+        surface: Surface<'p>,
         [columns, rows]: [u32; 2],
         checks: &[Result<(), Error>],
     ) -> Result<Self, Error> {
@@ -171,7 +273,21 @@ impl Shape {
                 2 * columns * rows,
                 2 * columns * rows + columns + rows,
             ),
-            Surface::Cylinder => (4 * (columns + 1), 4 * columns, 3 * columns),
+            Surface::Lathe(_, discs) => {
+                let discs = discs[0].is_some() as u32 + discs[1].is_some() as u32;
+                let count = row_count(&self);
+                let rims = if count == 0 { discs } else { 0 };
+                let (mut faces, mut edges) = (discs * columns, rims * columns);
+                let mut row = 0;
+                while row < count {
+                    let row_has = Row::of(&self, row);
+                    let [lower, upper] = row_has.triangles;
+                    faces += columns * (lower as u32 + upper as u32);
+                    edges += columns * (row_has.has_edge as u32 + row_has.has_edge_down as u32);
+                    row += 1;
+                }
+                ((count + discs) * (columns + 1), faces, edges)
+            }
         };
         let positions = positions as usize;
         Counts {
@@ -195,7 +311,7 @@ impl Shape {
     /// if another slice is shorter but not empty.
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
-        surface::write(&mut writer, self);
+        surface::write(&mut writer, &self);
         writer.buffers.mesh(writer.counts)
     }
 }
@@ -204,8 +320,9 @@ impl Shape {
 ///
 /// The argument is a constructor of `Shape` with constant arguments: [`cuboid`](crate::mesh::Shape::cuboid) (given half
 /// of its size), [`sphere`](crate::mesh::Shape::sphere), [`torus`](crate::mesh::Shape::torus),
-/// [`plane`](crate::mesh::Shape::plane) or [`cylinder`](crate::mesh::Shape::cylinder). Arguments that the constructor
-/// refuses do not compile.
+/// [`plane`](crate::mesh::Shape::plane), [`cylinder`](crate::mesh::Shape::cylinder),
+/// [`cone`](crate::mesh::Shape::cone), [`disc`](crate::mesh::Shape::disc) or [`lathe`](crate::mesh::Shape::lathe).
+/// Arguments that the constructor refuses do not compile.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -214,13 +331,13 @@ impl Shape {
 /// assert!(CRATE.has_uvs() && RING.has_normals());
 /// ```
 ///
-/// A second argument, `short`, stores 16-bit positions, which take half the flash; see
-/// [`Mesh::short`](crate::Mesh::short). With `quantized_8`, [attributes take less
+/// A second argument, `quantized`, stores 16-bit positions, which take half the flash; see
+/// [`Mesh::quantized`](crate::Mesh::quantized). With `quantized_8`, [attributes take less
 /// flash](crate::mesh#less-flash), too.
 ///
 /// ```
 /// use fixel::prelude::*;
-/// static BALL: Mesh = shape!(sphere(16, 12), short); // steps of 2^-14
+/// static BALL: Mesh = shape!(sphere(16, 12), quantized); // steps of 2^-14
 /// assert_eq!(BALL.positions().get(0), Some(vec3!(0, 1, 0)));
 /// ```
 /// ```compile_fail
@@ -228,8 +345,8 @@ impl Shape {
 /// ```
 #[macro_export]
 macro_rules! shape {
-    ($name:ident($($argument:expr),* $(,)?) $(, $short:ident)? $(,)?) => {{
-        const SHAPE: $crate::mesh::Shape = $crate::mesh::flash::checked(
+    ($name:ident($($argument:expr),* $(,)?) $(, $format:ident)? $(,)?) => {{
+        const SHAPE: $crate::mesh::Shape<'static> = $crate::mesh::flash::checked(
             $crate::mesh::Shape::$name($($argument),*),
             ::core::stringify!($name($($argument),*)),
         );
@@ -241,6 +358,6 @@ macro_rules! shape {
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
             room
         };
-        $crate::__mesh!(ROOM, COUNTS $(, $short)?)
+        $crate::__mesh!(ROOM, COUNTS $(, $format)?)
     }};
 }

@@ -5,9 +5,6 @@ use crate::math::{Vec2, Vec3};
 use crate::mesh::{Buffers, Counts, Index};
 use crate::num::TexCoord;
 
-/// The number 1 with the 30 fraction bits of a `Fraction`.
-pub(super) const ONE: i64 = 1 << 30;
-
 /// Writes a mesh into buffers, and keeps the place of the next element of each list.
 pub(super) struct MeshWriter<'a> {
     pub(super) buffers: Buffers<'a>,
@@ -16,17 +13,6 @@ pub(super) struct MeshWriter<'a> {
     pub(super) positions: u32,
     faces: usize,
     edges: usize,
-}
-
-/// The vector of `Scalar`s nearest to a vector with components in units of 2⁻⁶⁰.
-const fn rounded([x, y, z]: [i64; 3]) -> Vec3 {
-    const HALF: i64 = 1 << 43;
-    // Components have magnitudes of at most 2, so the casts lose nothing.
-    Vec3::from_bits([
-        ((x + HALF) >> 44) as i32,
-        ((y + HALF) >> 44) as i32,
-        ((z + HALF) >> 44) as i32,
-    ])
 }
 
 impl<'a> MeshWriter<'a> {
@@ -50,12 +36,7 @@ impl<'a> MeshWriter<'a> {
         self.buffers.positions[at as usize].to_bits()
     }
 
-    /// Writes a vertex from a position and a normal in units of 2⁻⁶⁰.
-    pub(super) const fn vertex(&mut self, position: [i64; 3], normal: [i64; 3], uv: [TexCoord; 2]) {
-        self.place(rounded(position), rounded(normal), uv);
-    }
-
-    pub(super) const fn place(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
+    pub(super) const fn vertex(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
         let at = self.positions as usize;
         self.buffers.positions[at] = position;
         if self.counts.normals > 0 {

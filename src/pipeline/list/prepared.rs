@@ -67,7 +67,7 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use fixel::{Object, Prepared, prelude::*, canvas::{LinearDepth, Native}};
+/// use fixel::{NormalView, Object, Prepared, prelude::*, canvas::{LinearDepth, Native}};
 /// static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 /// static BALL: Mesh = shape!(sphere(16, 12));
 ///

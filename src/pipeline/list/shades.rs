@@ -35,13 +35,13 @@ use crate::shade::{Fragment, Lanes, Shader, Varyings};
 /// let mut list: DrawList<100, 80> = DrawList::new(); // on a microcontroller, statics
 /// let mut light: ShadeList<Lit<Flat<Gray8>>, 100> = ShadeList::new();
 /// let ball = list.prepare(&DrawOptions::new(), (16, 12), &BALL, &mvp)?;
-/// let light = ball.shade(&mut light, |()| white)?;
+/// let lit = ball.shade(&mut light, |()| white)?;
 ///
 /// let mut color = [Gray8::BLACK; 16 * 4];
 /// for first_row in [0, 4, 8] {
 ///     let mut band = Canvas::band(&mut color, 16, 12, first_row)?;
 ///     band.clear(Gray8::BLACK);
-///     band.draw_prepared(&ball, &light.of(&white))?; // no light is computed here
+///     band.draw_prepared(&ball, &lit(&()))?; // no light is computed here
 ///     // … to the display
 /// }
 /// # Ok::<(), Error>(())
@@ -81,17 +81,18 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// In each band, call `.of(&shader)` on the result, and draw with the shader that `of` returns. This shader uses
-    /// the computed values. If you draw anything else with this shader, it computes its values as usual.
+    /// The result is such a function, too, but its shaders use the computed values: draw with them in each band. If
+    /// there are no materials, call it with `&()`. If you draw anything else with these shaders, they compute their
+    /// values as usual.
     ///
     /// # Errors
     ///
     /// [`Error::Full`], with the length that is needed, if the memory is too short.
-    pub fn shade<S: Shader, const ELEMENTS: usize>(
+    pub fn shade<S: Shader, const ELEMENTS: usize, F: Fn(&T) -> S>(
         &self,
         memory: &'a mut ShadeList<S, ELEMENTS>,
-        shader_of: impl Fn(&T) -> S,
-    ) -> Result<Shades<'a, S>, Error> {
+        shader_of: F,
+    ) -> Result<impl Fn(&T) -> Shaded<'a, S> + use<'a, T, G, O, K, S, ELEMENTS, F>, Error> {
         let values = &mut memory.values;
         values.clear();
         let none = <<S::Varyings as Varyings>::Lanes as Lanes>::splat(0);
@@ -120,7 +121,9 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
             }
             missing += run.placement.missing.get();
         }
-        Ok(Shades {
+        let values = &*values;
+        Ok(move |material: &T| Shaded {
+            shader: shader_of(material),
             first,
             values,
             missing,
@@ -135,36 +138,17 @@ fn index(entry: usize, first: usize) -> usize {
     entry.wrapping_sub(first) / size_of::<Entry>()
 }
 
-/// The values that [`Prepared::shade`] computed; [`of`](Self::of) makes a shader from these values. A `Shades` borrows
-/// the [`ShadeList`]. The documentation of [`ShadeList`] has an example.
+/// A shader with the values that [`Prepared::shade`] computed. It borrows the [`ShadeList`].
+#[doc(hidden)]
 #[derive(Clone, Copy)]
-pub struct Shades<'a, S: Shader> {
+pub struct Shaded<'a, S: Shader> {
+    shader: S,
     /// The address of the list's first entry. The list cannot change while these values exist, so the address of an
     /// entry tells its index, and whether it belongs to this list.
     first: usize,
     values: &'a [Shade<S>],
     /// The attributes that the shaders asked for and the meshes lack.
     missing: Missing,
-}
-
-impl<'a, S: Shader> Shades<'a, S> {
-    /// Makes a shader that uses the computed values. `shader` must be the shader that computed the values.
-    #[must_use]
-    #[inline]
-    pub const fn of(&self, shader: &S) -> Shaded<'a, S> {
-        Shaded {
-            shader: *shader,
-            shades: *self,
-        }
-    }
-}
-
-/// A shader with stored values.
-#[doc(hidden)]
-#[derive(Clone, Copy)]
-pub struct Shaded<'a, S: Shader> {
-    shader: S,
-    shades: Shades<'a, S>,
 }
 
 impl<S: Shader> Shader for Shaded<'_, S> {
@@ -175,14 +159,9 @@ impl<S: Shader> Shader for Shaded<'_, S> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
-        let Shades {
-            first,
-            values,
-            missing,
-        } = self.shades;
-        match values.get(index(primitive.entry, first)) {
+        match self.values.get(index(primitive.entry, self.first)) {
             Some(&(numbers, face)) => {
-                primitive.placement.miss(missing);
+                primitive.placement.miss(self.missing);
                 numbers.map(|corner| Varyings::join(corner, face))
             }
             None => self.shader.varyings(primitive),

@@ -99,6 +99,7 @@ impl SurfacePoint {
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// use fixel::shade::{Illumination, SurfacePoint};
 ///
 /// /// Dark below, bright above.
@@ -156,6 +157,7 @@ pub trait Lighting: Copy {
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SQUARE: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::top(Vec3::ZERO, fx!(1));
@@ -184,6 +186,7 @@ pub trait Lighting: Copy {
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static SHEET: Mesh = shape!(plane(1, 1));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let below = Camera::look_at(vec3!(0, -1, 0), Vec3::ZERO, Vec3::Z)?;
@@ -224,6 +227,7 @@ pub trait Lighting: Copy {
     /// use embedded_graphics::mock_display::MockDisplay;
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor, Rgb888, RgbColor};
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// static BALL: Mesh = shape!(sphere(24, 16));
     /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;
     /// let mvp = projection * Camera::front(Vec3::ZERO, fx!(1));

@@ -19,6 +19,7 @@ use crate::num::{Scalar, reciprocal};
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// use fixel::shade::PointLight;
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;

@@ -20,6 +20,7 @@ use crate::shade::ramp::Ramp;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
 /// use fixel::prelude::*;
+/// use fixel::Window;
 /// use fixel::shade::SpotLight;
 /// static FLOOR: Mesh = shape!(plane(16, 16));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;

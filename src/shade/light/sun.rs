@@ -17,7 +17,7 @@ use crate::num::wide::dot;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use fixel::{math::Direction, prelude::*};
+/// use fixel::{Window, math::Direction, prelude::*};
 ///
 /// static SQUARE: Mesh = shape!(plane(1, 1));
 /// let projection = Projection::orthographic(Window::centered(fx!(2), fx!(2)), fx!(0), fx!(2))?;

@@ -14,7 +14,7 @@ use crate::view::AsMvp;
 /// ```
 /// use fixel::prelude::*;
 /// use fixel::shade::Viewer;
-/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.1), fx!(100))?;
+/// let projection = Projection::perspective(deg!(60), (4, 3), fx!(0.5), fx!(50))?;
 /// let mvp = projection * Camera::look_at(vec3!(3, 0, 4), Vec3::ZERO, Vec3::Y)?;
 /// assert_eq!(Viewer::of(&mvp), Viewer::at(vec3!(3, 0, 4)));
 /// # Ok::<(), Error>(())

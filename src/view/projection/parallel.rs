@@ -17,6 +17,7 @@ impl Projection<Parallel> {
     ///
     /// ```
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let plan = Projection::orthographic(Window::centered(fx!(8), fx!(6)), fx!(-5), fx!(5))?;
     /// assert_eq!(plan.to_matrix().project(vec3!(4, 0, 0)), Some(vec3!(1, 0, 0)));
     /// # Ok::<(), Error>(())
@@ -30,7 +31,8 @@ impl Projection<Parallel> {
     /// moves the other way.
     ///
     /// The direction of this movement is `angle`, counter-clockwise from the right. Points in the near plane are drawn,
-    /// so `plane` may equal `near`.
+    /// so `plane` may equal `near`. With a ratio of 1, edges that point straight back keep their length (a *cavalier*
+    /// projection); with ½, they have half of it (a *cabinet* projection).
     ///
     /// # Errors
     ///
@@ -38,6 +40,7 @@ impl Projection<Parallel> {
     ///
     /// ```
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let window = Window::centered(fx!(4), fx!(4));
     /// let oblique = Projection::oblique(deg!(0), fx!(0.5), fx!(5), window, fx!(1), fx!(10))?;
     /// let across = |point| oblique.to_matrix().project(point).map(|at| at.x);
@@ -56,31 +59,6 @@ impl Projection<Parallel> {
         let (sin, cos) = angle.sin_cos();
         let shear = |part: Fraction| BlockFloat::new(bits(ratio) * i64::from(part.to_bits()), 46);
         Self::sheared([shear(cos), shear(sin)], plane, window, near, far)
-    }
-
-    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back keep their full length. The
-    /// near plane is undistorted.
-    ///
-    /// # Errors
-    ///
-    /// The same errors as for [`orthographic`](Self::orthographic).
-    pub fn cavalier(
-        angle: Angle,
-        window: Window,
-        near: Scalar,
-        far: Scalar,
-    ) -> Result<Self, Error> {
-        Self::oblique(angle, Scalar::ONE, near, window, near, far)
-    }
-
-    /// Makes an [oblique](Self::oblique) projection in which edges that point straight back have half of their length.
-    /// The near plane is undistorted.
-    ///
-    /// # Errors
-    ///
-    /// The same errors as for [`orthographic`](Self::orthographic).
-    pub fn cabinet(angle: Angle, window: Window, near: Scalar, far: Scalar) -> Result<Self, Error> {
-        Self::oblique(angle, Scalar::ONE / 2, near, window, near, far)
     }
 
     /// Makes the projection of a box in which a point at distance d moves by `shear` · (d − `plane`).

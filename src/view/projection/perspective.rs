@@ -41,6 +41,8 @@ impl Projection<Perspective> {
     ///
     /// The projection's [`Window`], on the near plane, has top = near · tan(fov / 2) and right = top · aspect.
     ///
+    /// For a canvas with a depth buffer, let `far` be at most 500 · `near`: [the rule](crate::guide::concepts#depth).
+    ///
     /// # Errors
     ///
     /// [`Error::Angle`] unless 0 < `fov` < 180°; [`Error::OutOfRange`] unless width and height are above 0 and
@@ -97,6 +99,7 @@ impl Projection<Perspective> {
     ///
     /// ```
     /// use fixel::prelude::*;
+    /// use fixel::Window;
     /// let window = Window { left: fx!(-1), right: fx!(2), bottom: fx!(-1), top: fx!(1) };
     /// let projection = Projection::frustum(window, fx!(2), fx!(10))?;
     /// assert_eq!(projection.window(), window);

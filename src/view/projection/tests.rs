@@ -317,7 +317,8 @@ fn invalid_arguments_are_refused() {
             let error = not_above(of, given, low);
             assert_eq!(Projection::frustum(window, low, high), Err(error));
             assert_eq!(Projection::orthographic(window, low, high), Err(error));
-            assert_eq!(Projection::cabinet(fov, window, low, high), Err(error));
+            let oblique = Projection::oblique(fov, Scalar::ONE, low, window, low, high);
+            assert_eq!(oblique, Err(error));
         }
     }
     let (width, height) = ("width of the aspect ratio", "height of the aspect ratio");

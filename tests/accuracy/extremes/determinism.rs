@@ -6,6 +6,7 @@
 
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use fixel::NormalView;
 use fixel::canvas::{DepthBuffer, FloatDepth};
 use fixel::mesh::{Buffers, Shape};
 use fixel::mode::{Affine, Compact, Exact, Fast, Mode, Newton};
@@ -17,9 +18,9 @@ use super::scene::Random;
 const SIZE: (u32, u32) = (320, 240);
 
 static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::GREEN, Rgb565::RED]];
-static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), short);
-static BALL: Mesh = shape!(sphere(16, 12), short);
-static FLOOR: Mesh = shape!(plane(8, 8), short);
+static RING: Mesh = shape!(torus(fx!(0.4), 24, 12), quantized);
+static BALL: Mesh = shape!(sphere(16, 12), quantized);
+static FLOOR: Mesh = shape!(plane(8, 8), quantized);
 
 /// A mesh with short positions, and the same positions in 32 bits.
 struct Model {

@@ -3,6 +3,7 @@
 use std::sync::Mutex;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::mesh::Shape;
 use fixel::prelude::*;
 use fixel::texture::Sampler;

@@ -6,6 +6,7 @@
 
 use std::array;
 
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::Parallel;
 use rand::Rng;
@@ -330,14 +331,8 @@ fn any_view(random: &mut Random) -> View {
     let angle = Angle::from_bits(random.random());
     let mut view = match random.random_range(0..5) {
         0 | 1 => View::orthographic(window, near, far),
-        2 => View {
-            projection: Projection::cavalier(angle, window, near, far).unwrap(),
-            ..View::oblique(angle, fx!(1), near, window, planes)
-        },
-        3 => View {
-            projection: Projection::cabinet(angle, window, near, far).unwrap(),
-            ..View::oblique(angle, fx!(0.5), near, window, planes)
-        },
+        2 => View::oblique(angle, fx!(1), near, window, planes),
+        3 => View::oblique(angle, fx!(0.5), near, window, planes),
         _ => {
             let [ratio, plane] = [any_number(random), any_number(random)].map(number);
             View::oblique(angle, ratio, plane, window, planes)

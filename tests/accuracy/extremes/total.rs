@@ -4,11 +4,11 @@
 use std::ops::Range;
 
 use embedded_graphics::pixelcolor::{Gray8, Rgb888};
-use fixel::Drawn;
 use fixel::canvas::{DepthBuffer, FloatDepth, WideFloatDepth};
 use fixel::mode::{self, Affine, Compact, Exact, Fast, Newton};
 use fixel::prelude::*;
 use fixel::view::{Parallel, ProjectionKind};
+use fixel::{DepthView, Drawn, NormalView, Window};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 
@@ -166,7 +166,7 @@ impl Scene {
     ) {
         let mvp = &(projection * self.camera * self.model);
         let mesh = match &self.short {
-            Some((positions, fraction)) => Mesh::short(positions, *fraction, &self.faces),
+            Some((positions, fraction)) => Mesh::quantized(positions, *fraction, &self.faces),
             None => Mesh::new(&self.positions, &self.faces),
         };
         let mesh = &mesh
@@ -320,7 +320,7 @@ fn parallel_projections_are_total() {
         let projection = Projection::orthographic(window, near, far);
         scene.check(projection, Scene::in_parallel);
         let angle = Angle::from_bits(random.random());
-        let projection = Projection::cabinet(angle, window, near, far);
+        let projection = Projection::oblique(angle, fx!(0.5), near, window, near, far);
         scene.check(projection, Scene::in_parallel);
     });
 }

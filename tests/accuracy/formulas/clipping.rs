@@ -3,6 +3,7 @@
 use std::array::from_fn;
 
 use embedded_graphics::pixelcolor::BinaryColor;
+use fixel::Window;
 use fixel::prelude::*;
 use rand::Rng;
 

@@ -5,6 +5,7 @@ use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use embedded_graphics::pixelcolor::Gray8;
+use fixel::Window;
 use fixel::math::Direction;
 use fixel::prelude::*;
 use fixel::shade::{Illumination, SurfacePoint, Viewer};

@@ -1,6 +1,7 @@
 //! Wireframes, as pictures.
 
 use embedded_graphics::pixelcolor::BinaryColor;
+use fixel::Window;
 use fixel::prelude::*;
 use fixel::view::Perspective;
 

@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use fixel::Matrix4;
 use fixel::prelude::*;
 use fixel::textbook::perspective_transform;
 use fixel::view::{Parallel, Perspective};
+use fixel::{Matrix4, Window};
 use rand::Rng;
 
 use support::moves::{exact, number, rounded};
@@ -214,10 +214,8 @@ fn oblique_projections_show_receding_edges_at_their_length_and_angle() {
     let (window, near, far) = (Window::centered(fx!(2), fx!(2)), fx!(1), fx!(10));
     for angle in [0, 30, 45, 63, 120, 225] {
         let turn = Angle::from_degrees(angle);
-        let cavalier = Projection::cavalier(turn, window, near, far).unwrap();
-        let cabinet = Projection::cabinet(turn, window, near, far).unwrap();
-        let any = Projection::oblique(turn, fx!(0.75), near, window, near, far).unwrap();
-        for (projection, length) in [(cavalier, 1.0), (cabinet, 0.5), (any, 0.75)] {
+        for (ratio, length) in [(fx!(1), 1.0), (fx!(0.5), 0.5), (fx!(0.75), 0.75)] {
+            let projection = Projection::oblique(turn, ratio, near, window, near, far).unwrap();
             let (found, direction) = receding(&projection);
             // Entries of the matrix are rounded by up to half a step, and multiplied by z = 3 and 2. The images are
             // rounded, too.

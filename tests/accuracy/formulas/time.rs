@@ -3,9 +3,6 @@
 use core::f64::consts::TAU;
 
 use fixel::prelude::*;
-use rand::Rng;
-
-use support::random::{cases, list};
 
 use super::helpers::close;
 
@@ -40,18 +37,4 @@ fn absolute_time_is_exact_after_days() {
             assert_eq!(rate.angle_at(turns * 6_000 + ms), rate.angle_at(ms));
         }
     }
-}
-
-#[test]
-fn frames_of_any_length_add_up() {
-    cases(256, |random| {
-        let rate = Rate::rpm(random.random_range(-10_000..10_000));
-        let frames = list(random, 1..500, |random| random.random_range(0..1_000));
-        let mut spin = rate.spin();
-        let mut now = 0;
-        for ms in frames {
-            now += ms;
-            assert_eq!(spin.advance(ms), rate.angle_at(now));
-        }
-    });
 }

@@ -8,6 +8,7 @@ use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor, PixelColor};
 use embedded_graphics::text::Text;
+use fixel::Window;
 use fixel::canvas::{
     Add, Biased, DepthBuffer, FloatDepth, NoTest, TestBehind, TestNearer, TestOnly, WideFloatDepth,
     WriteOnly,

@@ -8,7 +8,6 @@ use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888, RgbColor,
 };
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
-use fixel::Thing;
 use fixel::canvas::{
     Add, Biased, Blending, Contrast, DepthBuffer, DepthTest, ErrorDiffusion, FloatDepth, Multiply,
     NoTest, Opacity, TestAndWrite, WideFloatDepth,
@@ -18,6 +17,7 @@ use fixel::mode::Newton;
 use fixel::prelude::*;
 use fixel::shade::{DepthView, Gradient, NormalView, PartColors, Viewer};
 use fixel::texture::{Argb4444, Indexed, Mipmap, Raw};
+use fixel::{Thing, Window};
 
 use super::kept;
 use crate::List;
@@ -387,7 +387,7 @@ const WORDS: &[Word] = &[
     }),
     ("cabinet", 0x1d3f_29ce, |c| {
         let window = Window::centered(fx!(6), fx!(4.5));
-        let view = Projection::cabinet(deg!(30), window, fx!(-1), fx!(9))?;
+        let view = Projection::oblique(deg!(30), fx!(0.5), fx!(-1), window, fx!(-1), fx!(9))?;
         c.draw(
             &CUBE,
             &(view * Transform::IDENTITY),

@@ -6,8 +6,12 @@ use super::linear::{Matrix, Vec3, cross, direction, length, normalized, point};
 #[derive(Clone, Copy, Debug)]
 pub struct Sprite {
     pub position: Vec3,
-    /// Width and height in eye space.
+    /// Width and height, in units of the world or in pixels.
     pub size: [f64; 2],
+    /// How long a unit is in eye space, along the horizontal and the vertical sides of an upright sprite.
+    pub unit: [f64; 2],
+    /// The angle by which the sprite is turned about its anchor, counter-clockwise in its plane, in radians.
+    pub angle: f64,
     /// The place in the sprite that is at the position: a fraction of the width from the left, and a fraction of the
     /// height from the top.
     pub anchor: [f64; 2],
@@ -37,9 +41,12 @@ impl Sprite {
     pub fn corners(&self, eye: &Matrix) -> [Vec3; 4] {
         let (middle, [right, up]) = (point(eye, self.position), self.sides(eye));
         [[0., 1.], [1., 1.], [0., 0.], [1., 0.]].map(|[u, v]: [f64; 2]| {
+            let x = (u - self.anchor[0]) * self.size[0];
+            let y = (self.anchor[1] - v) * self.size[1];
+            let (sin, cos) = self.angle.sin_cos();
             let along = [
-                (u - self.anchor[0]) * self.size[0],
-                (self.anchor[1] - v) * self.size[1],
+                (x * cos - y * sin) * self.unit[0],
+                (x * sin + y * cos) * self.unit[1],
             ];
             std::array::from_fn(|i| middle[i] + along[0] * right[i] + along[1] * up[i])
         })

@@ -4,6 +4,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use fixel::Window;
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mode::Affine;
 use fixel::prelude::*;
@@ -112,7 +113,7 @@ pub(super) fn blending(canvas: &mut Frame<'_>) -> Drawn {
 pub(super) fn modes(canvas: &mut Frame<'_>) -> Drawn {
     canvas.clear(SLATE);
     let (half, size) = (SIZE.width / 2, canvas.frame_size());
-    let projection = Projection::perspective(deg!(70), (half, size.height), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(70), (half, size.height), fx!(0.1), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 1.1, 1.75), vec3!(0, -0.35, 0), Vec3::Y)?;
     let mvp = projection * camera * Transform::rotate_y(deg!(20));
     let part = |x| -> Result<DrawOptions, Error> {

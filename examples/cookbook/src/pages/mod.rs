@@ -50,6 +50,7 @@ pub const PAGES: &[(&str, Draw)] = &[
     ("modes", canvas::modes),
     ("formats", canvas::formats),
     ("shaders", surfaces::shaders),
+    ("shapes", surfaces::shapes),
     ("measured", canvas::measured),
     ("firmware", programs::firmware),
 ];
@@ -83,7 +84,7 @@ type Drawn = Result<(), Error>;
 
 /// A view of everything within two units of the origin.
 fn view(canvas: &Frame<'_>) -> Result<Mvp, Error> {
-    let projection = Projection::perspective(deg!(43), canvas.frame_size(), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(43), canvas.frame_size(), fx!(0.1), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     Ok(projection * camera * Transform::IDENTITY)
 }

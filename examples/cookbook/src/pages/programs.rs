@@ -12,7 +12,7 @@ use crate::scenes::Frame;
 /// The scene of the crate's page: a cube with a texture of four texels, and a text.
 pub(super) fn first(canvas: &mut Frame<'_>) -> Drawn {
     static SKIN: [[Rgb565; 2]; 2] = [[Rgb565::WHITE, Rgb565::BLUE], [Rgb565::BLUE, Rgb565::WHITE]];
-    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(60), canvas.frame_size(), fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 1.5, 4), Vec3::ZERO, Vec3::Y)?;
     let spin = Transform::rotate_y(Rate::rpm(10).angle_at(600));
     let sun = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;

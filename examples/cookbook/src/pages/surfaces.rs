@@ -5,10 +5,11 @@ use fixel::mesh::{Material, Part};
 use fixel::prelude::*;
 use fixel::shade::{Gradient, PartColors};
 use fixel::texture::Mipmap;
+use fixel::{DepthView, NormalView};
 
 use super::{
-    BALL, CHECKERS, COARSE_BALL, COARSE_RING, CUBE, Drawn, ORANGE, RING, SIZE, SLATE, ball, cube,
-    ring, shown_in, sun, view,
+    BALL, CHECKERS, COARSE_BALL, COARSE_RING, CUBE, Drawn, ORANGE, RING, SHEET, SIZE, SLATE, ball,
+    cube, ring, shown_in, sun, view,
 };
 use crate::scenes::Frame;
 
@@ -166,7 +167,7 @@ pub(super) fn quantized(canvas: &mut Frame<'_>) -> Drawn {
     static SMALL: Mesh = shape!(torus(fx!(0.45), 32, 16), quantized_8);
     canvas.clear(SLATE);
     let (half, height) = (SIZE.width / 2, SIZE.height);
-    let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(58), (half, height), fx!(0.1), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let mvp = projection * camera * Transform::rotate_z(deg!(25));
     let part = |x| -> Result<DrawOptions, Error> {
@@ -227,4 +228,46 @@ pub(super) fn shaders(canvas: &mut Frame<'_>) -> Drawn {
         Some(Rgb565::new(13 + 9 * bright, 18 + 18 * bright, 2))
     });
     ball(canvas, 7, &BALL, &steps)
+}
+
+/// All shapes: a box, a sphere, a torus, a square; a cylinder, a cone, a disc, a vase.
+pub(super) fn shapes(canvas: &mut Frame<'_>) -> Drawn {
+    const VASE: &[(Scalar, Scalar)] = &[
+        (fx!(0.5), fx!(1)),
+        (fx!(0.25), fx!(0.7)),
+        (fx!(0.25), fx!(0.5)),
+        (fx!(0.6), fx!(0.15)),
+        (fx!(0.75), fx!(-0.25)),
+        (fx!(0.6), fx!(-0.65)),
+        (fx!(0.35), fx!(-0.9)),
+        (fx!(0.35), fx!(-0.9)),
+        (fx!(0.5), fx!(-1)),
+        (fx!(0.5), fx!(-1)),
+        (fx!(0), fx!(-1)),
+    ];
+    static SHAPES: [Mesh; 8] = [
+        shape!(cuboid(vec3!(0.75, 0.75, 0.75))),
+        BALL,
+        shape!(torus(fx!(0.4), 24, 12)),
+        SHEET,
+        shape!(cylinder(24)),
+        shape!(cone(24)),
+        shape!(disc(24)),
+        shape!(lathe(24, VASE)),
+    ];
+    canvas.clear(SLATE);
+    let (width, height) = (SIZE.width / 4, SIZE.height / 2);
+    let projection = Projection::perspective(deg!(38), (width, height), fx!(1), fx!(20))?;
+    let camera = Camera::look_at(vec3!(0, 3, 5), Vec3::ZERO, Vec3::Y)?;
+    let mvp = projection * camera * Transform::rotate_y(deg!(-25));
+    let skin = Textured::new(&CHECKERS).lit(sun()?);
+    for (at, shape) in (0..).zip(&SHAPES) {
+        let corner = (at % 4 * width.cast_signed(), at / 4 * height.cast_signed());
+        let part = Viewport::new(corner.0, corner.1, width, height)?;
+        let options = DrawOptions::new()
+            .with_viewport(part)
+            .with_cull(Cull::Nothing);
+        canvas.draw_with(&options, shape, &mvp, &skin);
+    }
+    Ok(())
 }

@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::RawU16};
 use embedded_graphics::{Drawable, geometry::Point, text::Text};
-use fixel::{mode::Affine, prelude::*};
+use fixel::{Window, mode::Affine, prelude::*};
 
 /// A floor, 2 units wide and 16 long. The texture repeats twice on each unit.
 static FLOOR: Mesh = {

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use fixel::mesh::Part;
 use fixel::prelude::*;
 
-static BALLOON: Mesh = include_mesh!("../../../assets/balloon.glb", short);
+static BALLOON: Mesh = include_mesh!("../../../assets/balloon.glb", quantized);
 static PARTS: &[Part] = include_materials!("../../../assets/balloon.glb");
 static SILK: [[Rgb565; 64]; 64] = include_texture!("../../../assets/balloon.png");
 

@@ -7,7 +7,7 @@ static RING: Mesh = shape!(torus(fx!(0.25), 64, 24));
 
 pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
     let size = canvas.frame_size();
-    let projection = Projection::perspective(deg!(45), size, fx!(0.1), fx!(100))?;
+    let projection = Projection::perspective(deg!(45), size, fx!(0.5), fx!(50))?;
     let camera = Camera::look_at(vec3!(0, 2, 3.2), Vec3::ZERO, Vec3::Y)?;
     let view = projection * camera;
     let sun = Light::new(vec3!(-1, 3, 2), fx!(0.25), fx!(0.75))?;

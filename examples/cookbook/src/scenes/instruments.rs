@@ -5,6 +5,7 @@ use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10, ascii::FONT_
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics::primitives::{Arc, Line, Primitive as _, PrimitiveStyle};
 use embedded_graphics::{Drawable, text::Alignment, text::Text};
+use fixel::Window;
 use fixel::prelude::*;
 
 static BALL: Mesh = shape!(sphere(32, 24));

@@ -36,6 +36,7 @@ mod terrain;
 mod toon;
 #[cfg(not(target_os = "none"))]
 mod two_cores;
+mod windmill;
 mod wireframe;
 
 use embedded_graphics::pixelcolor::Rgb565;
@@ -85,5 +86,6 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("toon", toon::draw),
     #[cfg(not(target_os = "none"))] // starts a thread
     ("two_cores", two_cores::draw),
+    ("windmill", windmill::draw),
     ("wireframe", wireframe::draw),
 ];

@@ -2,6 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
+use fixel::Primitive;
 use fixel::mode::Fast;
 use fixel::prelude::*;
 

@@ -147,8 +147,8 @@ fn bands<S: ShaderFor<Rgb565>>(
     watch.print(in_bands, "triangle", triangles, ticks);
     let mut memory = ShadeList::<S, 250>::new();
     let ticks = watch.time(|| {
-        let shades = ball.shade(&mut memory, |()| shader)?;
-        all(&|band| band.draw_prepared(ball, &shades.of(&shader)))
+        let shaded = ball.shade(&mut memory, |()| shader)?(&());
+        all(&|band| band.draw_prepared(ball, &shaded))
     })?;
     watch.print(once, "triangle", triangles, ticks);
     Ok(())

@@ -157,8 +157,7 @@ fn to_digits(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
-/// Returns the largest ratio of far to near that the program chooses. With equal steps of 1/distance, depth needs a
-/// ratio below 1000.
+/// Returns the largest ratio of far to near that the program chooses, by the rule in the guide (concepts, Depth).
 fn most_ratio(depth: DepthBuffer) -> f64 {
     match depth {
         DepthBuffer::Linear => 500.0,

@@ -15,7 +15,7 @@ pub struct Asset {
 /// The input of a macro.
 pub struct Arguments {
     pub path: Asset,
-    /// Options without a value, such as `short`, and options with a value, such as `scale = 0.01`.
+    /// Options without a value, such as `center`, and options with a value, such as `scale = 0.01`.
     options: Vec<(String, Option<String>)>,
 }
 

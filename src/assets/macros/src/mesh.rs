@@ -6,7 +6,7 @@ use crate::arguments::Arguments;
 use crate::expansion::Expansion;
 
 /// The formats in which a mesh can store its lists, except the default format.
-const FORMATS: [&str; 3] = ["short", "quantized_16", "quantized_8"];
+const FORMATS: [&str; 3] = ["quantized", "quantized_16", "quantized_8"];
 
 /// The options that choose the faces of the mesh, and its place, scale and axes.
 const COMMON: [&str; 5] = ["object", "part", "center", "scale", "up"];
@@ -142,23 +142,23 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
         );
         "fixel::mesh::Positions::long(&POSITIONS)".to_string()
     } else {
-        let (short, fraction) = lists.shortened();
+        let (positions, fraction) = lists.quantized_positions();
         list(
             "POSITIONS",
             "[i16; 3]",
             "shorts",
-            short.len(),
-            bytes(&short, i16::to_le_bytes),
+            positions.len(),
+            bytes(&positions, i16::to_le_bytes),
         );
         format!(
-            "fixel::mesh::flash::checked(fixel::mesh::Positions::short(&POSITIONS, {fraction}), \"mesh\")"
+            "fixel::mesh::flash::checked(fixel::mesh::Positions::quantized(&POSITIONS, {fraction}), \"mesh\")"
         )
     };
     let uvs = bytes(&lists.uvs, i32::to_le_bytes);
     let normals = bytes(&lists.normals, i32::to_le_bytes);
     let (uv_count, normal_count) = (lists.uvs.len(), lists.normals.len());
     match format {
-        None | Some("short") => {
+        None | Some("quantized") => {
             list("UVS", "fixel::Vec2", "vec2s", uv_count, uvs);
             list("NORMALS", "fixel::Vec3", "vec3s", normal_count, normals);
             out.push(&format!(
@@ -166,8 +166,8 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                  (&UVS, &UV_FACES), (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES));\nMESH"
             ));
         }
-        Some(quantized) => {
-            let (step, small) = if quantized == "quantized_8" {
+        Some(format) => {
+            let (step, small) = if format == "quantized_8" {
                 ("u8", "uvs_of_8")
             } else {
                 ("u16", "uvs_of_16")
@@ -177,7 +177,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                 "use fixel::mesh::flash as assets;
                  #[allow(long_running_const_eval)]
                  const STORED: ([[{step}; 2]; {uv_count}], assets::UvGrid) =
-                     assets::{quantized}(&assets::vec2s::<{uv_count}>({uvs}));
+                     assets::{format}(&assets::vec2s::<{uv_count}>({uvs}));
                  static UVS: [[{step}; 2]; {uv_count}] = STORED.0;
                  static SMALL_UVS: assets::Small<'static, fixel::Vec2> = assets::Small::{small}(&UVS, STORED.1);
                  #[allow(long_running_const_eval)]
@@ -185,7 +185,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                      assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
                  static SMALL_NORMALS: assets::Small<'static, fixel::Vec3> = assets::Small::normals(&NORMALS);
                  fixel::Mesh::of_lists({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES))
-                     .quantized((&SMALL_NORMALS, &NORMAL_FACES), (&SMALL_UVS, &UV_FACES))"
+                     .with_quantized_attributes((&SMALL_NORMALS, &NORMAL_FACES), (&SMALL_UVS, &UV_FACES))"
             ));
         }
     }

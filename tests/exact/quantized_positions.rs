@@ -3,6 +3,7 @@
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::Window;
 use fixel::mode::{Mode, Newton};
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;
@@ -94,7 +95,7 @@ impl Model {
             .collect();
         let meshes = [
             Mesh::new(&long, &self.faces),
-            Mesh::short(&self.positions, self.fraction, &self.faces),
+            Mesh::quantized(&self.positions, self.fraction, &self.faces),
         ];
         let [long, short] =
             meshes.map(|mesh| mesh.and_then(|mesh| mesh.with_edges(&self.edges)).unwrap());
@@ -140,7 +141,7 @@ fn shortened_positions_are_the_nearest() {
         let position = random.random::<[i32; 3]>().map(|bits| bits >> cut);
         let positions = [Vec3::ZERO, Vec3::from_bits(position)];
         let mesh = Mesh::new(&positions, &[[0, 0, 1]]).unwrap();
-        let ([origin, short], fraction) = mesh.shortened::<2>().unwrap();
+        let ([origin, short], fraction) = mesh.quantized_positions::<2>().unwrap();
         assert_eq!(origin, [0; 3]);
         let unit = 1_i64 << (16 - fraction);
         let most = i64::from(position.map(i32::unsigned_abs).into_iter().max().unwrap());
@@ -163,8 +164,8 @@ fn shortened_positions_are_the_nearest() {
 /// up to d · focal length / w · (1 + slope), where the slope is x / w or y / w.
 #[test]
 fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
-    let (short, fraction) = SPHERE.shortened::<{ 33 * 33 }>().unwrap();
-    let short = Mesh::short(&short, fraction, &[]).unwrap();
+    let (short, fraction) = SPHERE.quantized_positions::<{ 33 * 33 }>().unwrap();
+    let short = Mesh::quantized(&short, fraction, &[]).unwrap();
     let projection =
         Projection::from_focal_length(fx!(200), (320, 240), fx!(0.25), fx!(100)).unwrap();
     let pose =
@@ -199,8 +200,8 @@ fn rounding_moves_a_sphere_by_less_than_a_hundredth_of_a_pixel() {
 #[test]
 fn macros_make_the_same_meshes_with_short_positions() {
     static LONG: Mesh = include_mesh!("../models/house.obj");
-    static SHORT: Mesh = include_mesh!("../models/house.obj", short);
-    static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), short);
+    static SHORT: Mesh = include_mesh!("../models/house.obj", quantized);
+    static RING: Mesh = shape!(torus(fx!(0.25), 12, 8), quantized);
     static LONG_RING: Mesh = shape!(torus(fx!(0.25), 12, 8));
     assert_eq!(LONG.counts(), SHORT.counts());
     assert_eq!(
@@ -221,23 +222,23 @@ fn macros_make_the_same_meshes_with_short_positions() {
 #[test]
 fn numbers_that_do_not_fit_are_refused() {
     let positions = [[0; 3]; 2];
-    assert!(Mesh::short(&positions, 16, &[[0, 1, 1]]).is_ok());
-    let error = Mesh::short(&positions, 17, &[]).unwrap_err();
+    assert!(Mesh::quantized(&positions, 16, &[[0, 1, 1]]).is_ok());
+    let error = Mesh::quantized(&positions, 17, &[]).unwrap_err();
     assert_eq!(
         error.to_string(),
         "number of fraction bits is 17: it must be at most 16"
     );
     assert!(matches!(
-        Mesh::short(&positions, 3, &[[0, 1, 2]]),
+        Mesh::quantized(&positions, 3, &[[0, 1, 2]]),
         Err(Error::Index { index: 2, .. })
     ));
     assert!(matches!(
-        Mesh::short(&vec![[0; 3]; 65_537], 3, &[]),
+        Mesh::quantized(&vec![[0; 3]; 65_537], 3, &[]),
         Err(Error::Count { given: 65_537, .. })
     ));
-    let mesh = Mesh::short(&positions, 3, &[]).unwrap();
+    let mesh = Mesh::quantized(&positions, 3, &[]).unwrap();
     assert!(matches!(
-        mesh.shortened::<3>(),
+        mesh.quantized_positions::<3>(),
         Err(Error::Count {
             given: 3,
             max: 2,
@@ -251,5 +252,5 @@ fn numbers_that_do_not_fit_are_refused() {
 #[test]
 #[should_panic(expected = "mesh: number of fraction bits is 17: it must be at most 16")]
 fn compile_time_refusals_say_why() {
-    let _ = Mesh::checked(Mesh::short(&[], 17, &[]));
+    let _ = Mesh::checked(Mesh::quantized(&[], 17, &[]));
 }
