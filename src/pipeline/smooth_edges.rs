@@ -176,8 +176,7 @@ impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, 
             return;
         };
         let ([from, to, _], exponent) = ScreenVertex::weights([a, b, b]);
-        let [from, to] = [from, to].map(u32::cast_signed);
-        let [mut q, per_step] = straddle.linear(from, to - from);
+        let [mut q, per_step] = straddle.linear([from, to].map(u32::cast_signed));
         let down = self.shift.right_shift(exponent);
         let steepness = per_step
             .unsigned_abs()
