@@ -34,6 +34,7 @@ mod scenes;
 mod sine;
 mod sized_points;
 mod sky;
+mod smooth_edges;
 mod sprites;
 mod stacks;
 mod triangle;
