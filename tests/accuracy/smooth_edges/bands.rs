@@ -171,16 +171,16 @@ fn bands_that_overlap_are_smoothed_like_the_frame() {
     assert!(changed > 40_000, "only {changed} pixels are smoothed");
 }
 
-/// An edge that is as deep as a wall behind it, over the whole height of a tall frame: each row's depth must not depend
-/// on the row in which a band begins.
+/// A leaning sheet behind a parallel wall. The wall is nearer by about as much as the bias of the sheet's edges, so in
+/// every row of a tall frame, the last bit of a depth decides whether the edge is hidden. This bit must not depend on the
+/// row in which a band begins.
 #[test]
 fn depths_along_an_edge_do_not_depend_on_the_band() {
     const TALL: (u32, u32) = (8, 2000);
     let mut changed = 0;
     cases(24, |random| {
-        // A wall that leans by a few units of the depth, and a sheet that stands in it.
         let lean = random.random_range(-40_000..40_000);
-        let sheet = |left: i32, right: i32, by: i32, lean: i32| {
+        let sheet = |left: i32, right: i32, nearer: i32| {
             [
                 [left, -40],
                 [right, -40],
@@ -188,16 +188,17 @@ fn depths_along_an_edge_do_not_depend_on_the_band() {
                 [left + 9, 2050],
             ]
             .map(|[x, y]| {
-                let z = lean / 2 - lean * y / 1000 + by;
+                let z = lean / 2 - lean * y / 1000 + nearer;
                 Vec3::from_bits([x << 14, -y << 16, z])
             })
         };
         let faces = [[0, 2, 1], [0, 3, 2]];
-        let behind = random.random_range(0..120);
-        let (back, front) = (sheet(-40, 90, behind, lean), sheet(11, 21, 0, lean));
-        let [back, front] = [&back, &front].map(|sheet| Mesh::new(sheet, &faces).unwrap());
+        // A unit of the depth is two units of z. The bias is two units of the depth and the change from row to row.
+        let ahead = 4 + lean.abs() / 1000 + random.random_range(-3..4);
+        let (wall, sheet) = (sheet(-40, 90, ahead), sheet(11, 21, 0));
+        let [wall, sheet] = [&wall, &sheet].map(|corners| Mesh::new(corners, &faces).unwrap());
         let mut room = [[0; 4]; 6];
-        let outline = Outline::build(&front, deg!(180), &mut room).unwrap();
+        let outline = Outline::build(&sheet, deg!(180), &mut room).unwrap();
         let mvp = pixel_projection(TALL);
         let bands = |rows: u32| {
             let mut all: Vec<Gray8> = Vec::new();
@@ -209,9 +210,9 @@ fn depths_along_an_edge_do_not_depend_on_the_band() {
                 let mut band = band.with_depth(&mut depths).unwrap();
                 let stripes = Flat::new(Gray8::BLACK)
                     .map(|at, _| Some(Gray8::new(99 * (at.point.x as u8 & 1))));
-                band.draw_with(&BOTH_SIDES, &front, &mvp, &Flat::new(Gray8::WHITE));
-                band.draw_with(&BOTH_SIDES, &back, &mvp, &stripes);
-                band.smooth_edges(&BOTH_SIDES, &front, &outline, &mvp);
+                band.draw_with(&BOTH_SIDES, &sheet, &mvp, &Flat::new(Gray8::WHITE));
+                band.draw_with(&BOTH_SIDES, &wall, &mvp, &stripes);
+                band.smooth_edges(&BOTH_SIDES, &sheet, &outline, &mvp);
                 let from = (TALL.0 * (row - first)) as usize;
                 all.extend(&colors[from..from + (TALL.0 * rows.min(TALL.1 - row)) as usize]);
             }
