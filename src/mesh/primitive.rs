@@ -51,7 +51,8 @@ pub struct Primitive<'a> {
     /// counter-clockwise.
     pub(crate) area: i32,
     /// For an outline's edge, if depths are biased: the greatest change of depth from one pixel to the next on the
-    /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). Otherwise 0.
+    /// faces beside the edge, in the format [`WideFloatDepth`](crate::canvas::WideFloatDepth). The last bit says whether
+    /// the edge is a crease between two faces that are turned the same way. Otherwise 0.
     pub(crate) slope_beside: u16,
     /// The address of the draw list's entry for this primitive; 0 if it does not come from a list.
     pub(crate) entry: usize,

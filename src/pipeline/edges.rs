@@ -312,6 +312,7 @@ impl<'m> EdgesOf<'m> {
                     } else {
                         0
                     };
+                    let beside = beside & !1 | u16::from(is_inner);
                     let &[a, b, ..] = faces;
                     let indices = Indices::of_edge(edge, [a, b]);
                     assemble::edge(call, &mut vertices, (indices, beside), &mut each);

@@ -93,9 +93,9 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             ..options.screen(self.frame_size())
         };
         let call = Call::new((&screen, &self.rows().clone()), mesh, mvp);
-        let mut smoother = Smoother::new(self, call.scissor.clone());
         let edges = EdgesOf::outline(mesh, outline);
-        edges::draw(&call, edges, (raster::smooth_edge, 1), &mut smoother)
+        Smoother::new(self, call.scissor.clone())
+            .smooth(|smoother| edges::draw(&call, edges, (raster::smooth_edge, 1), smoother))
     }
 
     /// Does the same as [`smooth_edges`](Self::smooth_edges) for outlines that were [prepared](crate::DrawList::prepare)
@@ -144,8 +144,8 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
         prepared.each_run(self.frame_size(), &rows, |edges, run| {
-            let mut smoother = Smoother::new(self, run.scissor.clone());
-            drawn += run.draw_edges(edges.of, 1, &raster::smooth_edge, &mut smoother);
+            drawn += Smoother::new(self, run.scissor.clone())
+                .smooth(|smoother| run.draw_edges(edges.of, 1, &raster::smooth_edge, smoother));
         })?;
         Ok(drawn)
     }
@@ -159,6 +159,10 @@ struct Smoother<'s, 'c, C, O: Storage<C>, D> {
     canvas: &'s mut Canvas<'c, C, O, D>,
     scissor: Scissor,
     shift: DepthShift,
+    /// Whether creases are smoothed; otherwise silhouettes and borders are.
+    is_at_creases: bool,
+    /// Whether there are creases that are not smoothed yet.
+    has_creases: bool,
 }
 
 impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, O, D> {
@@ -167,7 +171,22 @@ impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, 
             canvas,
             scissor,
             shift: DepthShift(0),
+            is_at_creases: false,
+            has_creases: false,
         }
+    }
+
+    /// Smooths the edges that `draw` draws: first silhouettes and borders, then creases.
+    ///
+    /// Beside a face that is too narrow for a pixel, a silhouette and a crease pass between the same two pixels. If the
+    /// crease came first, the pixel of the wider face would be mixed with the background.
+    fn smooth(mut self, draw: impl Fn(&mut Self) -> Drawn) -> Drawn {
+        let drawn = draw(&mut self);
+        if self.has_creases {
+            self.is_at_creases = true;
+            draw(&mut self);
+        }
+        drawn
     }
 
     /// Smooths an edge; `beside` is how steep the faces beside it are.
@@ -176,8 +195,7 @@ impl<'s, 'c, C: PixelFormat, O: Storage<C>, D: DepthBuffer> Smoother<'s, 'c, C, 
             return;
         };
         let ([from, to, _], exponent) = ScreenVertex::weights([a, b, b]);
-        let [from, to] = [from, to].map(u32::cast_signed);
-        let [mut q, per_step] = straddle.linear(from, to - from);
+        let [mut q, per_step] = straddle.linear([from, to].map(u32::cast_signed));
         let down = self.shift.right_shift(exponent);
         let steepness = per_step
             .unsigned_abs()
@@ -279,7 +297,11 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Blitter for Smoother<'_, '_,
 
     fn set_up(&mut self, primitive: &Primitive<'_>, patch: &Patch<'_>) -> &mut dyn Rows {
         let [a, b, _] = patch.vertices;
-        self.edge([a, b], primitive.slope_beside);
+        let is_crease = primitive.slope_beside & 1 != 0;
+        if is_crease == self.is_at_creases {
+            self.edge([a, b], primitive.slope_beside);
+        }
+        self.has_creases |= is_crease;
         self
     }
 }

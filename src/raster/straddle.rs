@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::edge::{Edge, first_center};
 use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, Scissor, ScreenVertex};
+use crate::num::wide::divide;
 
 /// Passes an edge on to a blitter that smooths edges: the ends are the first two vertices of the patch.
 pub(crate) fn smooth_edge(raster: &mut Rasterizer<'_>, [a, b]: [&ClippedVertex; 2]) {
@@ -34,7 +35,9 @@ pub(crate) struct Straddle {
     start: i32,
     /// Whether it starts at b.
     is_turned: bool,
-    /// 2^30 divided by the edge's length along this axis.
+    /// The edge's length along this axis, in units of 1/256 pixel.
+    length: i32,
+    /// 2^30 / `length`.
     share: i32,
     /// The edge's slope, from 0 (along the axis of its steps) to 256 (diagonal), rounded down.
     slope: i32,
@@ -88,27 +91,39 @@ impl Straddle {
             is_mirrored,
             start,
             is_turned,
+            length,
             share: (1 << 30) / length,
             slope,
             inverse: (1 << 16) / slope.max(1),
         })
     }
 
-    /// A value of 31 bits that is linear along the edge: at the first step, and its change from step to step. At a, it is
-    /// `at_a`, and up to b, it changes by `change`. On an edge of less than a pixel, the change per step is `change`.
+    /// A value of 31 bits that is linear along the edge: at the first step, and its change from step to step. At the ends
+    /// a and b, it has the given values. On an edge of less than a pixel, the change per step is the whole change.
     ///
-    /// The reciprocal of a length of n pixels has an error of up to 2^8 · n/2^30 of its own. So the value has an error of
-    /// up to n²/2^22 changes per step: less than one of them, as n is at most 2^11.
+    /// It is stepped from the first center of the whole edge, not of its part in the scissor. So it has the same bits in
+    /// each band. The change per step is a quotient of integers, rounded down: at the end of an edge of n pixels, the
+    /// value has an error of at most n units.
     #[inline]
-    pub(crate) fn linear(&self, at_a: i32, change: i32) -> [i32; 2] {
-        let part = |of_length: i32| ((i64::from(change) * i64::from(of_length)) >> 30) as i32;
-        let before = ((self.steps.start << 8) + 128 - self.start) * self.share;
-        let step = self.share.min(1 << 22) << 8;
-        if self.is_turned {
-            [at_a + part((1 << 30) - before), -part(step)]
+    pub(crate) fn linear(&self, [at_a, at_b]: [i32; 2]) -> [i32; 2] {
+        let [from, to] = if self.is_turned {
+            [at_b, at_a]
         } else {
-            [at_a + part(before), part(step)]
-        }
+            [at_a, at_b]
+        };
+        let change = to - from;
+        let first = first_center(self.start);
+        let before = ((first << 8) + 128 - self.start) * self.share;
+        let at_first = from + ((i64::from(change) * i64::from(before)) >> 30) as i32;
+        let length = self.length.max(1 << 8);
+        let (whole, rest) = divide(change, length);
+        let (part, _) = divide(rest << 8, length);
+        let per_step = (whole << 8) + part;
+        let skipped = self.steps.start - first;
+        [
+            at_first.wrapping_add(per_step.wrapping_mul(skipped)),
+            per_step,
+        ]
     }
 
     /// The pixels of the next step.

@@ -35,6 +35,7 @@ mod scenes;
 mod sine;
 mod sized_points;
 mod sky;
+mod smooth_edges;
 mod sprites;
 mod stacks;
 mod triangle;

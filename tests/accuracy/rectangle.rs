@@ -6,7 +6,6 @@ use std::ops::Range;
 use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::pixelcolor::Gray8;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use fixel::Window;
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
 use fixel::view::ProjectionKind;

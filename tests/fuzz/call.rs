@@ -1,6 +1,9 @@
 //! Draws a scene in all ways that must give the same picture: with and without depth, twice, in bands, as bytes, and
 //! prepared.
 
+use std::iter;
+use std::ops::Range;
+
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian, ToBytes};
@@ -8,8 +11,8 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor
 use embedded_graphics::primitives::Rectangle;
 use fixel::Drawn;
 use fixel::canvas::{
-    Add, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, Multiply, Opacity, Storage,
-    TestAndWrite,
+    Add, Biased, Blending, ColorIndex, Contrast, DepthBuffer, ErrorDiffusion, Multiply, Opacity,
+    Storage, TestAndWrite,
 };
 use fixel::mesh::flash::{Small, UvGrid, normal_of_8};
 use fixel::mesh::{Material, Part};
@@ -89,7 +92,7 @@ impl<K: ProjectionKind> Call<'_, K> {
             What::Triangles => canvas.draw_with(options, self.mesh, &self.mvp, shader),
             What::Edges if self.scene.style & 1 != 0 => {
                 let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
-                let outline = self.outline(&mut room).unwrap();
+                let outline = self.any_outline(&mut room);
                 let lines = self.mesh.outline(&outline, self.line());
                 canvas.draw_with(options, lines, &self.mvp, shader)
             }
@@ -307,7 +310,7 @@ impl<K: ProjectionKind> Call<'_, K> {
         Picture {
             colors: vec![BACKGROUND; self.scene.pixels()],
             depths: (0..height)
-                .flat_map(|row| std::iter::repeat_n(depth(row), width as usize))
+                .flat_map(|row| iter::repeat_n(depth(row), width as usize))
                 .collect(),
         }
     }
@@ -430,11 +433,60 @@ impl<K: ProjectionKind> Call<'_, K> {
         objects!(self, list.prepare(options, lines), shader);
     }
 
+    /// Checks that edges are smoothed in the same way in a frame, in bands that overlap by a row, and prepared.
+    pub fn check_smoothed(&self, options: &DrawOptions) {
+        let mut room = vec![[0; 4]; 3 * self.mesh.faces().len()];
+        let outline = &self.any_outline(&mut room);
+        let pattern = Flat::new(BACKGROUND).map(|at, _| {
+            let [x, y] = [at.point.x, at.point.y].map(i32::cast_unsigned);
+            Some(Rgb565::new(
+                (37 * x) as u8,
+                (x ^ (11 * y)) as u8,
+                (5 * y) as u8,
+            ))
+        });
+        let draw = |canvas: &mut Frame<'_>| {
+            canvas.draw_with(options, self.mesh, &self.mvp, &pattern);
+        };
+        let smooth = &mut |canvas: &mut Frame<'_>| {
+            draw(canvas);
+            canvas.smooth_edges(options, self.mesh, outline, &self.mvp)
+        };
+        let (frame, drawn) = self.frame(smooth);
+        assert!(drawn.clipped <= drawn.drawn && drawn.drawn <= drawn.submitted);
+        let bands = self.in_overlapping_bands(smooth);
+        assert!(bands == frame.colors, "smoothed bands differ");
+
+        let in_front = options.with_depth_test(Biased::in_front(TestAndWrite));
+        let edges = self.mesh.outline(outline, LineStyle::HAIRLINE);
+        let mut list = List::new();
+        let listed = list.prepare(&in_front, self.scene.size, edges, &self.mvp);
+        let listed = listed.unwrap();
+        let smooth = &mut |canvas: &mut Frame<'_>| {
+            draw(canvas);
+            canvas.smooth_prepared(&listed).unwrap()
+        };
+        assert!(
+            self.frame(smooth).0 == frame,
+            "prepared edges are smoothed differently"
+        );
+        let bands = self.in_overlapping_bands(smooth);
+        assert!(
+            bands == frame.colors,
+            "smoothed bands of prepared edges differ"
+        );
+    }
+
     /// The mesh's outline; `None` for half of the styles.
     fn outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Option<Outline<'r>> {
-        let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
         let has_outline = self.scene.style & 1 != 0;
-        has_outline.then(|| Outline::build(self.mesh, crease, room).unwrap())
+        has_outline.then(|| self.any_outline(room))
+    }
+
+    /// The mesh's outline, with creases above an angle that the style gives.
+    fn any_outline<'r>(&self, room: &'r mut [[u16; 4]]) -> Outline<'r> {
+        let crease = Angle::from_bits(u32::from(self.scene.style) << 23);
+        Outline::build(self.mesh, crease, room).unwrap()
     }
 
     /// Draws a frame.
@@ -551,24 +603,53 @@ impl<K: ProjectionKind> Call<'_, K> {
         assert!(self.in_bands(draw) == frame, "bands of smooth lines differ");
     }
 
-    /// Draws a picture in bands. The scene gives their heights.
-    fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
-        let mut picture = self.blank();
-        let (width, height) = self.scene.size;
+    /// The rows of bands. The scene gives their heights.
+    fn bands(&self) -> impl Iterator<Item = Range<u32>> {
+        let (_, height) = self.scene.size;
         // There are at most twelve bands, because more bands would take long and find few mistakes.
         let least = height.div_ceil(12);
         let mut heights = self.scene.bands.iter().cycle();
-        let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
         let mut first = 0;
-        while first < height {
+        iter::from_fn(move || {
             let rows = heights.next().map_or(1, |&rows| u32::from(rows));
-            let rows = rows.max(least).min(height - first);
+            let start = first;
+            first += rows.max(least).min(height - first);
+            (start < height).then_some(start..first)
+        })
+    }
+
+    /// Draws a picture in bands that reach one row further up and down than the rows that are kept. Returns its colors.
+    fn in_overlapping_bands(&self, draw: &mut Draw<'_>) -> Vec<Rgb565> {
+        let (width, height) = self.scene.size;
+        let mut shown = Vec::new();
+        for rows in self.bands() {
+            let (first, end) = (rows.start.max(1) - 1, height.min(rows.end + 1));
+            let pixels =
+                |rows: Range<u32>| (rows.start * width) as usize..(rows.end * width) as usize;
+            let Picture {
+                mut colors,
+                mut depths,
+            } = self.blank();
+            let all = pixels(first..end);
+            let band = Canvas::band(&mut colors[all.clone()], width, height, first).unwrap();
+            draw(&mut band.with_depth(&mut depths[all]).unwrap());
+            shown.extend(&colors[pixels(rows)]);
+        }
+        shown
+    }
+
+    /// Draws a picture in bands.
+    fn in_bands(&self, draw: &mut Draw<'_>) -> Picture {
+        let mut picture = self.blank();
+        let (width, height) = self.scene.size;
+        let (mut colors, mut depths) = (&mut picture.colors[..], &mut picture.depths[..]);
+        for Range { start: first, end } in self.bands() {
+            let rows = end - first;
             let (band, other_colors) = colors.split_at_mut((rows * width) as usize);
             let (depth, other_depths) = depths.split_at_mut((rows * width) as usize);
             let band = Canvas::band(band, width, height, first).unwrap();
             draw(&mut band.with_depth(depth).unwrap());
             (colors, depths) = (other_colors, other_depths);
-            first += rows;
         }
         picture
     }

@@ -62,6 +62,7 @@ fn check_call<K: ProjectionKind>(scene: &Scene, mesh: &Mesh, mvp: Mvp<K>) -> Res
     call.check_panels(&options);
     call.check_quantized(&options);
     call.check_mesh(&options);
+    call.check_smoothed(&options);
     match call.scene.shade {
         Shade::Bits(0) => check_modes::<K, 0>(call, options),
         Shade::Bits(_) => check_modes::<K, 3>(call, options),

@@ -174,6 +174,31 @@ pub fn counts(triangles: &[Snapped], width: u32, height: u32) -> Vec<u32> {
     counts
 }
 
+/// The area of the part of a pixel on one side of the line through a and b: the side of the points p for which the area
+/// of a b p is positive.
+pub fn share_beside([a, b]: [[f64; 2]; 2], [x, y]: [i32; 2]) -> f64 {
+    let [left, top] = [x, y].map(f64::from);
+    let corners = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]].map(|[x, y]| [left + x, top + y]);
+    let height = |p: [f64; 2]| area2_f64(&[a, b, p]);
+    // The square without the corners on the other side, and with the points where the line crosses its sides.
+    let mut part = Vec::new();
+    for (i, &from) in corners.iter().enumerate() {
+        let to = corners[(i + 1) % 4];
+        let (before, after) = (height(from), height(to));
+        if before >= 0. {
+            part.push(from);
+        }
+        if before * after < 0. {
+            let t = before / (before - after);
+            part.push([0, 1].map(|axis| from[axis] + t * (to[axis] - from[axis])));
+        }
+    }
+    let fan = part
+        .windows(2)
+        .map(|side| area2_f64(&[part[0], side[0], side[1]]));
+    fan.sum::<f64>() / 2.
+}
+
 /// Counts as text, one line per row: `.` for 0, then `1` to `9`, `+` for more.
 pub fn picture(counts: &[u32], width: u32) -> Vec<String> {
     let character = |&count: &u32| match count {

@@ -87,6 +87,28 @@ fn floats_agree_with_integers() {
 }
 
 #[test]
+fn shares_beside_a_line() {
+    let share = |line| coverage::share_beside(line, [2, 1]);
+    close(
+        [
+            // Straight down, a quarter of the pixel from its right side: the left part is on the positive side.
+            share([[2.75, -9.], [2.75, 9.]]),
+            share([[2.75, 9.], [2.75, -9.]]),
+            // From corner to corner.
+            share([[2., 1.], [3., 2.]]),
+            // The triangle with the legs 1/2 and 1/4 at the top left corner.
+            share([[2.5, 1.], [2., 1.25]]),
+            share([[2., 1.25], [2.5, 1.]]),
+            // Along a side, and past the pixel.
+            share([[2., 1.], [3., 1.]]),
+            share([[2., 2.], [3., 2.]]),
+            share([[0., 9.], [9., 8.]]),
+        ],
+        [0.75, 0.25, 0.5, 0.0625, 0.9375, 1., 0., 0.],
+    );
+}
+
+#[test]
 fn distances_to_segments_and_triangles() {
     let t = [[0., 0.], [4., 0.], [0., 3.]];
     close(
