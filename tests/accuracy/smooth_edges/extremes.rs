@@ -136,7 +136,7 @@ fn no_mesh_is_too_extreme() {
             _ => check_extreme(
                 random,
                 size,
-                Projection::oblique(deg!(30), fx!(0.5), fx!(0), window, fx!(-1), far).unwrap(),
+                Projection::oblique(deg!(30), fx!(0.5), fx!(-1), window, fx!(-1), far).unwrap(),
             ),
         };
         visible += u32::from(is_visible);
