@@ -30,22 +30,24 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// whatever drew it. Edges behind other surfaces are left out if the canvas has a depth buffer.
     ///
     /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in color
-    /// where they meet, such as the sides of a lit box.
+    /// where they meet, such as the sides of a lit box. Where both pass between the same two pixels, the silhouette counts.
     ///
-    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with a mean of
-    /// 64 or 256 samples a pixel, the error along silhouettes falls by 70 to 90 %. On a Cortex-M4, smoothing adds a
-    /// tenth to two fifths to the instructions of a lit mesh. Formats with at most 4 bits per channel are dithered. In
-    /// black and white this shows little, so draw and smooth a canvas of `Gray8`, and dither it when it is shown
-    /// ([`show_with`](Self::show_with), [`show_diffused`](Canvas::show_diffused)).
+    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with a mean of 64
+    /// samples a pixel, the error beside edges falls by 60 to 90 %; it falls least where faces are smaller than a pixel.
+    /// On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
+    ///
+    /// Formats with at most 4 bits per channel are dithered. In black and white this shows little, so draw and smooth a
+    /// canvas of `Gray8`, and dither it when it is shown ([`show_with`](Self::show_with),
+    /// [`show_diffused`](Canvas::show_diffused)).
     ///
     /// Each pixel is mixed once. To mark it, its depth becomes the nearest one, so draw nothing with a depth test after
     /// it, except after [`clear_depth`](Self::clear_depth). Without a depth buffer, a pixel at a corner may be mixed
     /// twice.
     ///
-    /// A pixel needs its neighbors. So at the top and bottom row of a [band](Self::band), level edges keep their stairs,
-    /// unless bands overlap: let each band reach one row further up and down than the rows that are shown. Then bands
-    /// have the same bits as the whole frame, if the canvas has a depth buffer. For many bands,
-    /// [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
+    /// A pixel needs its neighbors, so at the borders of the viewport, edges may keep their stairs. The same is true of
+    /// the top and bottom row of a [band](Self::band), unless bands overlap: let each band reach one row further up and
+    /// down than the rows that are shown. Then bands have the same bits as the whole frame, if the canvas has a depth
+    /// buffer. For many bands, [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
