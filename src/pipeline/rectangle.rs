@@ -24,7 +24,7 @@ impl Viewport {
     /// |---|---|
     /// | triangles, hairlines, points of one pixel | 0 |
     /// | wide or smooth lines, larger points | half of the width or of the size, rounded up |
-    /// | sprites with a size [in pixels](crate::Sprites::in_pixels) that face the viewer | the greater of width and height |
+    /// | sprites with a size [in pixels](crate::Sprites::in_pixels) that face the viewer, with the anchor inside them | width plus height, times the greatest scale |
     /// | other [sprites](crate::Sprites), [attenuated](crate::PointStyle::attenuated) points | 1; and enlarge `bounds` by their size |
     ///
     /// The rectangle is never too small, for any position in `bounds`. It is too large by at most 1/16 pixel on each
