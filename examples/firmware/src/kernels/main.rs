@@ -30,6 +30,8 @@
 mod board;
 #[cfg(target_os = "none")]
 mod bounds;
+#[cfg(target_os = "none")]
+mod calls;
 #[path = "../../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
@@ -78,6 +80,7 @@ mod firmware {
 
     use super::board::{self, Clock};
     use super::bounds;
+    use super::calls;
     use super::common::scenes::CHECKER;
     use super::frames::Frame;
     use super::lights;
@@ -119,6 +122,7 @@ mod firmware {
         mono::measure(&mut watch)?;
 
         let mut frame = Frame::take();
+        calls::measure(&mut watch, &mut frame)?;
         silhouettes::measure(&mut watch, &mut frame)?;
         rows::measure(&mut watch, &mut frame)?;
         frame.measure(&mut watch, "exact", Exact)?;
