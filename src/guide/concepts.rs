@@ -222,19 +222,19 @@
 #![doc = include_str!("diagrams/depth.svg")]
 //!
 //! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 possible depths stand for distances
-//! between the near plane and twice the near plane's distance, and few are left for what is far away. Therefore:
+//! between the near plane and twice the near plane's distance, and few are left for distant surfaces. Therefore:
 //!
 //! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away.**
 //! Then the nearer of two surfaces hides the other one wherever their distances from the eye differ by 1 %. If the near
 //! plane is too close, hidden surfaces shine through distant ones, and no error says so: with the planes at 0.01 and
-//! 100, a square at a distance of 90 does not hide a square 3 units behind it that is drawn later. If a scene needs a greater ratio, draw
-//! it with [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format), in the same memory: this format is
-//! good for a ratio of 65,536. But a frame then takes up to a third more instructions, and in modes
+//! 100, a square at a distance of 90 does not hide a square 3 units behind it that is drawn later. If a scene needs a
+//! greater ratio, draw it with [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format), in the same memory:
+//! this format is good for a ratio of 65,536. But a frame then takes up to a third more instructions, and in modes
 //! [`Fast`](crate::mode::Fast) and [`Affine`](crate::mode::Affine) on a Cortex-M0+ up to four fifths more.
 //!
 //! The number 500 leaves some room: [the step of depth](crate::guide::mathematics::pixels#a-depth-step) reaches 1 % of
 //! the distance at 655 times the near plane's distance. The far plane does not change the stored depths. It only clips
-//! what is too far away to be told apart.
+//! surfaces that are too far away for the depth buffer.
 //!
 //! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) holds transformed
 //! triangles, and can sort them in this order.

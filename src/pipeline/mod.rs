@@ -2,7 +2,7 @@
 //!
 //! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Three files have questions that
 //! draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a mesh may change,
-//! and [`ray`] tells what is seen at a pixel.
+//! and [`ray`] finds the surface that a pixel shows.
 
 mod assemble;
 mod cache;

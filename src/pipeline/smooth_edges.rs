@@ -26,8 +26,9 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
     /// Where an edge of the outline passes between the centers of two neighboring pixels, each of the two colors is mixed
     /// with the other, by the [share of the pixel](crate::guide::mathematics::coverage) that lies on the other side of the
-    /// edge. So the shape neither grows nor shrinks. Shaders are not called again: what is on the canvas is mixed,
-    /// whatever drew it. Edges behind other surfaces are left out if the canvas has a depth buffer.
+    /// edge. So the shape neither grows nor shrinks. Shaders are not called again: the colors on the canvas are mixed,
+    /// whatever drew them. Edges behind other surfaces are left out if the canvas has a depth buffer. The result counts
+    /// edges, as if [`mesh.outline`](Mesh::outline) were drawn.
     ///
     /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in color
     /// where they meet, such as the sides of a lit box. Where both pass between the same two pixels, the silhouette counts.

@@ -60,12 +60,11 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **The neighbor's color is *B*.** Of the two pixels, one shows what is on one side of the edge, and one shows what is
-//! on the other side. So [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) mixes each of them with the color that
-//! the other had, and needs neither the shader nor the order in which things were drawn. The shape does not grow: over a
-//! column, what one pixel gains is what the exact picture has there. Two things remain. Colors are not constant, so the
-//! neighbor's center is only near the edge. And in the pixel of a corner, a second edge cuts the square, and each pixel
-//! is mixed by one edge only.
+//! **The neighbor's color is *B*.** The two pixels lie on different sides of the edge. So
+//! [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) mixes the color of each pixel with the old color of the other,
+//! and needs neither the shader nor the order in which things were drawn. The shape does not grow, because both pixels
+//! get their exact shares. Two errors remain. Where colors change along the surface, the color at the neighbor's center
+//! is not the color at the edge. And where two edges meet in a pixel, only one of them mixes it.
 //!
 //! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a rest of the edge's exact division
 //! ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is rounded down
