@@ -49,6 +49,9 @@ where
 
     const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
 
+    /// Whether a plan may be [`Plan::SmallOverW`].
+    const HAS_SMALL_OVER_W: bool = matches!(Interpolator::<Count<S>, K, M>::KERNEL, Plan::Newton);
+
     /// Whether small triangles carry two varyings in one number.
     const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;
 
@@ -102,9 +105,9 @@ where
         }
     }
 
-    /// Draws rows of a small triangle with linear varyings.
+    /// Draws rows of a small triangle: with linear varyings or, if `DIVIDES`, with varyings over w.
     #[inline(always)]
-    fn small_rows(&mut self, first: i32, rows: &[Columns]) {
+    fn small_rows<const DIVIDES: bool>(&mut self, first: i32, rows: &[Columns]) {
         let mut rest = (self, first, rows.iter());
         // Keeps `rest` in memory, because a loop over pixels takes all registers of a small core. The compiler would
         // rather keep `rest` in registers between rows. After this line, the compiler must assume that `rolled` changes
@@ -126,7 +129,7 @@ where
             let pixels = blit.pixels(row, x);
             let Planes { setup, varyings } = &blit.interpolator.planes;
             let mut span = Span::<Count<S>> {
-                q: if Self::PAIRS {
+                q: if Self::PAIRS && !DIVIDES {
                     setup.q.at(x, y)
                 } else {
                     setup.q.small_at(x, y)
@@ -141,11 +144,20 @@ where
             match (span.p.as_mut(), span.dp.as_mut()) {
                 // The first number also holds the third varying, so the third number is not used. If it is 0, the
                 // compiler drops it.
-                ([.., p], [.., dp]) if Self::PAIRS => (*p, *dp) = (0, 0),
+                ([.., p], [.., dp]) if Self::PAIRS && !DIVIDES => (*p, *dp) = (0, 0),
                 _ => {}
             }
             if let Some(cells) = blit.canvas.cells(row, columns) {
-                pixels.straight(span, cells, Self::restored_small);
+                if !DIVIDES {
+                    pixels.straight(span, cells, Self::restored_small);
+                    continue;
+                }
+                let Interpolator { mode, planes, .. } = &blit.interpolator;
+                match mode.of_span(Plan::SmallOverW, planes, &mut span) {
+                    Plan::Straight => pixels.straight(span, cells, Self::restored),
+                    Plan::Newton => pixels.newton(span, cells),
+                    _ => pixels.divide(&span, cells, Count::<S>::splat(Scale::AFFINE)),
+                }
             }
         }
     }
@@ -191,7 +203,7 @@ where
                 pixels.straight(span.reloaded(), cells, Self::restored);
             }
             (_, Plan::Straight) => pixels.scaled(span, cells, scales),
-            (Plan::Newton, Plan::Newton) => pixels.newton(span, cells),
+            (Plan::Newton, Plan::Newton) => pixels.newton(span.reloaded(), cells),
             (Plan::Pieces(length), Plan::Pieces(_)) => pixels.pieces(span, cells, scales, length),
             (Plan::PerPixel, Plan::PerPixel) => {
                 pixels
@@ -272,7 +284,12 @@ where
         // compiled.
         if Self::VARIES {
             if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
-                self.small_rows(first, rows);
+                self.small_rows::<false>(first, rows);
+            } else if !cfg!(for_size)
+                && Self::HAS_SMALL_OVER_W
+                && self.interpolator.plan == Plan::SmallOverW
+            {
+                self.small_rows::<true>(first, rows);
             } else {
                 self.any_rows(first, rows);
             }

@@ -23,7 +23,7 @@ const _: () = assert!(4 * MOST_TOLERANCE <= i32::MAX.cast_unsigned());
 /// The data that the spans of a primitive share. The types of shader and canvas do not appear here, so one copy of this
 /// code serves all shaders with the same number of interpolated numbers.
 pub(super) struct Interpolator<L: Lanes, K, M> {
-    mode: M,
+    pub(super) mode: M,
     pub(super) planes: Planes<L>,
     pub(super) plan: Plan,
     kind: PhantomData<K>,
@@ -137,7 +137,9 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             count,
         };
         let plan = match self.plan {
-            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::KERNEL != Plan::Straight => {
+            Plan::BySpan | Plan::Newton | Plan::SmallOverW | Plan::Pieces(_)
+                if Self::KERNEL != Plan::Straight =>
+            {
                 self.mode.of_span(self.plan, &self.planes, &mut span)
             }
             plan => plan,

@@ -290,8 +290,12 @@ impl Mode for Newton {
         if is_level(span) {
             tangent(span);
             Plan::Straight
-        } else {
+        } else if of_triangle != Plan::SmallOverW
+            || span.dq.unsigned_abs() <= planes.setup.least >> STEEPEST
+        {
             Plan::Newton
+        } else {
+            Plan::Divide
         }
     }
 }

@@ -17,11 +17,10 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// The span must meet two conditions: 1/w is from 2^29 to 2^31 at all pixels and changes by at most 2^-6 of itself
     /// per pixel, and all scales have [`FRACTION`] bits.
     #[inline(always)]
-    pub(super) fn newton(mut self, span: &Span<Count<S>>, mut cells: Cells<'_, S::Color, O, D>) {
-        let span = span.reloaded();
+    pub(super) fn newton(mut self, span: Span<Count<S>>, mut cells: Cells<'_, S::Color, O, D>) {
+        let first = inverse(span.q.cast_signed());
         let Span { dq, dp, down, .. } = span;
         // q is from 2^29 to 2^31, and so is r = 2^60 / q; p is the varying times q · 2^-28.
-        let first = inverse(span.q.cast_signed());
         let wide = |n: &i32| Word::from(*n);
         let (mut q, mut p) = (wide(&span.q.cast_signed()), Count::<S>::map(&span.p, wide));
         let (dq, dp) = (wide(&dq), Count::<S>::map(&dp, wide));
@@ -46,6 +45,8 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         }
     }
 }
+
+impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {}
 
 /// Makes a span linear: replaces each p by four times the varying at the first pixel, and each step of p by four times
 /// the varying's change per pixel. The linear values are the tangent to the exact varying in the middle of the span.

@@ -18,6 +18,9 @@
 pub(crate) enum Plan {
     /// For a triangle with small planes: varyings are linear, and a row is a single span.
     Small,
+    /// For a triangle with small planes: varyings are divided by w, and a row is a single span. Depending on how 1/w
+    /// changes from pixel to pixel, all rows are straight, or have one Newton step or one division per pixel.
+    SmallOverW,
     /// Varyings are linear along the span. In a draw call that may divide varyings by w elsewhere, the varyings along
     /// this span are interpolated multiplied by 4.
     Straight,

@@ -1,6 +1,7 @@
 //! The set-up of a primitive: the planes of 1/w, and of the varyings divided by w.
 
 use super::interpolant::{Basis, Interpolant};
+use super::newton::FRACTION;
 use super::plan::Plan;
 use super::scale::{ONE, Scale, WHOLE, weigh};
 use crate::num::wide::product;
@@ -204,11 +205,54 @@ impl Setup {
                 }
                 straight(self.q.is_small)
             }
-            _ => {
+            (affine, varyings) => {
+                if !cfg!(for_size)
+                    && affine.is_none()
+                    && self.is_small_over_w()
+                    && patch.barycentric.is_none()
+                    && Self::set_up_small_over_w(varyings, &basis, q)
+                {
+                    return Plan::SmallOverW;
+                }
                 let is_affine = affine.is_some() && !self.is_linear;
                 self.set_up_varyings(varyings, &mut basis, (q, is_affine), patch)
             }
         }
+    }
+
+    /// Whether a triangle's rows may have the plan [`Plan::SmallOverW`], if the planes of its varyings are small and have
+    /// the right scale.
+    #[inline]
+    const fn is_small_over_w(&self) -> bool {
+        self.least_bits == FRACTION && self.q.is_small && self.least > SHALLOW
+    }
+
+    /// Sets up small planes through the varyings over w. Returns false if a plane cannot be small.
+    #[inline]
+    fn set_up_small_over_w(
+        varyings: &mut [Varying],
+        basis: &Basis,
+        [q_a, q_b, q_c]: [u32; 3],
+    ) -> bool {
+        for varying in varyings {
+            if varying.affine_range().is_none() {
+                return false;
+            }
+            // `weigh` would return the same products and the same scale.
+            let over_w = |value: i32, q: u32| {
+                let filled = value << (32 - FRACTION);
+                ((product(filled, q.cast_signed()) + (1 << 31)) >> 32) as i32
+            };
+            let [a, b, c] = varying.corners;
+            let values @ [a, b, c] = [over_w(a, q_a), over_w(b, q_b), over_w(c, q_c)];
+            let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
+            if !basis.is_small(range.cast_unsigned()) {
+                return false;
+            }
+            varying.scale = Scale::AFFINE;
+            varying.interpolant.set(basis.small(values, 0));
+        }
+        true
     }
 
     /// The widest range of the varyings, if all may be interpolated without regard to 1/w.
@@ -242,7 +286,7 @@ impl Setup {
             (q, 1)
         };
         // With `is_paired`, `Plan::Small` is only for varyings that are paired.
-        let mut is_small = self.q.is_small && !self.is_paired;
+        let mut is_small = self.q.is_small;
         for varying in &mut *varyings {
             let mut values = varying.at(patch);
             varying.scale = if is_affine {
@@ -265,9 +309,18 @@ impl Setup {
         }
         let is_whole = |varying: &Varying| varying.scale.bits() == WHOLE;
         if is_affine || self.is_linear && varyings.iter().all(is_whole) {
-            straight(is_small)
+            straight(is_small && !self.is_paired)
         } else if self.is_linear {
             Plan::Scaled
+        } else if cfg!(for_size)
+            && is_small
+            && patch.barycentric.is_none()
+            && self.is_small_over_w()
+            && varyings
+                .iter()
+                .all(|varying| varying.scale == Scale::AFFINE)
+        {
+            Plan::SmallOverW
         } else {
             Plan::BySpan
         }
@@ -309,7 +362,9 @@ impl Setup {
 mod tests {
     use super::*;
     use crate::fixtures::picture::vertex;
-    use crate::raster::area;
+    use crate::random::cases;
+    use crate::raster::{MOST_WEIGHT, area};
+    use rand::Rng;
 
     /// The number of bits of a varying's scale in a triangle with corners of these 1/w.
     fn bits(q: [u32; 3]) -> u32 {
@@ -338,6 +393,48 @@ mod tests {
         assert_eq!(bits([1 << 30, 1 << 30, SHALLOW + 1]), 28);
         assert_eq!(bits([1 << 30, 1 << 30, SHALLOW]), 9);
     }
+
+    /// The two ways to set up a small triangle with varyings over w: `set_up_small_over_w` and, in a build for size,
+    /// `set_up_varyings`.
+    #[test]
+    fn a_build_for_size_has_the_same_small_planes() {
+        let mut compared = 0;
+        cases(4096, |random| {
+            let screens = [(); 3].map(|()| [(); 2].map(|()| random.random_range(0..21 << 8)));
+            let mut vertices = screens.map(vertex);
+            for vertex in &mut vertices {
+                vertex.q = random.random_range(SHALLOW + 1..MOST_WEIGHT);
+            }
+            let [a, b, c] = &vertices;
+            let size = [0, 1].map(|axis| {
+                let [a, b, c] = screens.map(|screen| screen[axis]);
+                a.max(b).max(c) - a.min(b).min(c)
+            });
+            let patch = Patch {
+                vertices: [a, b, c],
+                barycentric: None,
+                size,
+                area: area(&screens),
+            };
+            let most = Scale::MOST_AFFINE >> random.random_range(0..20);
+            let mut one = [(); 2].map(|()| Varying {
+                corners: [(); 3].map(|()| random.random_range(-most..=most)),
+                ..Varying::UNSET
+            });
+            let mut other = one;
+            let mut setup = Setup::new([false; 2], FRACTION);
+            if setup.set_up(&mut one, &patch) != Plan::SmallOverW {
+                return;
+            }
+            compared += 1;
+            let (q, _) = ScreenVertex::weights(patch.vertices);
+            let mut basis = Basis::new(&patch, false);
+            setup.set_up_varyings(&mut other, &mut basis, (q, false), &patch);
+            assert_eq!(std::format!("{one:?}"), std::format!("{other:?}"));
+        });
+        assert!(compared > 1000, "{compared}");
+    }
+
     /// The error is at most `change` · range / (4 · `least`), and must be below the tolerance.
     #[test]
     fn a_varying_is_affine_below_its_tolerance() {

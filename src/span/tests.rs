@@ -188,7 +188,7 @@ fn newton_spans_are_quotients_to_a_few_units() {
     for (count, span, delta) in spans() {
         let exact = exact(&span);
         let off = 2_f64.powi(27) * (2_f64.powi(-26) + 12. * delta.powi(4));
-        let found = numbers(count, |cells, pixels| pixels.newton(&span, cells));
+        let found = numbers(count, |cells, pixels| pixels.newton(span.clone(), cells));
         lacks(&found, exact, -off..=off + 1.);
     }
 }

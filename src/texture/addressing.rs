@@ -12,6 +12,12 @@ const FINER: u32 = TexCoord::FRAC_BITS - 16;
 // Out of line, because all textured shaders share this code.
 #[inline(never)]
 pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
+    let [a, b, c] = bits.map(|bits| bits.wrapping_sub(origin));
+    let up = log2.wrapping_sub(FINER);
+    // Most coordinates need no rounding and are far from the ends of the range.
+    if up < ((a | b | c) as u32).leading_zeros() {
+        return [a << (up & 31), b << (up & 31), c << (up & 31)];
+    }
     bits.map(|bits| {
         // The difference has at most 33 bits, and is shifted by at most 15, so it fits into 64 bits.
         let bits = i64::from(bits) - i64::from(origin);
