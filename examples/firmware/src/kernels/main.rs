@@ -35,6 +35,8 @@ mod calls;
 #[path = "../../../common/mod.rs"]
 mod common;
 #[cfg(target_os = "none")]
+mod everyday;
+#[cfg(target_os = "none")]
 mod frames;
 #[cfg(not(target_os = "none"))]
 mod host;
@@ -82,6 +84,7 @@ mod firmware {
     use super::bounds;
     use super::calls;
     use super::common::scenes::CHECKER;
+    use super::everyday;
     use super::frames::Frame;
     use super::lights;
     use super::mono;
@@ -123,6 +126,7 @@ mod firmware {
 
         let mut frame = Frame::take();
         calls::measure(&mut watch, &mut frame)?;
+        everyday::measure(&mut watch, &mut frame)?;
         silhouettes::measure(&mut watch, &mut frame)?;
         rows::measure(&mut watch, &mut frame)?;
         frame.measure(&mut watch, "exact", Exact)?;

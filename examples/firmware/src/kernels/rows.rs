@@ -1,6 +1,8 @@
 //! Measures spheres of the same size with different numbers of vertices in their rows, and spheres with different
 //! numbers of triangles. No number of vertices may take much more time than the next number.
 
+use core::hint::black_box;
+
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::mesh::{Buffers, Shape};
 use fixel::prelude::*;
@@ -46,13 +48,23 @@ const SIZES: [(u32, [&str; 2]); 6] = [
     (64, ["sphere-8064", "sphere-flat-8064"]),
 ];
 
+/// Spheres whose light is computed, and the names of their rows.
+const LIT: [(u32, &str); 3] = [
+    (16, "sphere-lit-480"),
+    (32, "sphere-lit-1984"),
+    (63, "sphere-lit-7812"),
+];
+
 /// The number of vertices of the largest sphere.
 const MOST: usize = 65 * 65;
 static POSITIONS: ConstStaticCell<[Vec3; MOST]> = ConstStaticCell::new([Vec3::ZERO; MOST]);
 static COLORS: ConstStaticCell<[Rgb888; MOST]> = ConstStaticCell::new([Rgb888::BLACK; MOST]);
+static UVS: ConstStaticCell<[Vec2; MOST]> = ConstStaticCell::new([Vec2::ZERO; MOST]);
+static NORMALS: ConstStaticCell<[Vec3; MOST]> = ConstStaticCell::new([Vec3::ZERO; MOST]);
 static FACES: ConstStaticCell<[[u16; 3]; 8064]> = ConstStaticCell::new([[0; 3]; 8064]);
 
-/// Draws the spheres with interpolated colors and a depth buffer, and in one color without a depth buffer.
+/// Draws the spheres with interpolated colors and a depth buffer, and in one color without a depth buffer; lit and
+/// textured spheres with a depth buffer.
 pub fn measure(watch: &mut Stopwatch, frame: &mut Frame) -> Result<(), Error> {
     let (positions, faces, colors) = (POSITIONS.take(), FACES.take(), COLORS.take());
     let (red, options) = (Flat::new(Rgb565::RED), DrawOptions::new());
@@ -70,6 +82,30 @@ pub fn measure(watch: &mut Stopwatch, frame: &mut Frame) -> Result<(), Error> {
         let (mode, posed) = (("newton", &options), scenes::sphere_mvp);
         frame.mesh(watch, mode, (colored, &ball, posed), &Gouraud::new(), true)?;
         frame.mesh(watch, mode, (flat, &ball, posed), &red, false)?;
+    }
+    let (mode, posed) = (("newton", &options), scenes::sphere_mvp);
+    let sun = black_box(Light::new(vec3!(2, 3, 6), fx!(0.25), fx!(0.75))?);
+    let clay = Flat::rgb(Rgb888::new(250, 170, 90)).lit(sun);
+    let skin = Textured::new(&scenes::CHECKER);
+    let (uvs, normals) = (UVS.take(), NORMALS.take());
+    for (slices, name) in LIT {
+        let ball = Shape::sphere(slices, slices)?.build(Buffers {
+            uvs: &mut *uvs,
+            normals: &mut *normals,
+            ..Buffers::new(&mut *positions, &mut *faces)
+        })?;
+        frame.mesh(watch, mode, (name, &ball, posed), &clay, true)?;
+        if slices == 32 {
+            frame.mesh(watch, mode, ("sphere-textured", &ball, posed), &skin, true)?;
+            let lit = skin.lit(sun);
+            frame.mesh(
+                watch,
+                mode,
+                ("sphere-textured-lit", &ball, posed),
+                &lit,
+                true,
+            )?;
+        }
     }
     let mvp = scenes::sphere_mvp(0)?;
     for (name, length) in ROWS {
