@@ -137,6 +137,8 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             count,
         };
         let plan = match self.plan {
+            // Only in a build for size does a small triangle come here.
+            Plan::SmallOverW if !cfg!(for_size) => Plan::SmallOverW,
             Plan::BySpan | Plan::Newton | Plan::SmallOverW | Plan::Pieces(_)
                 if Self::KERNEL != Plan::Straight =>
             {
