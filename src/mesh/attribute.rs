@@ -38,7 +38,7 @@ impl<'a, T: Copy> Attribute<'a, T> {
 
     /// The index of the value at `corner` (0, 1 or 2) of a primitive.
     #[inline]
-    fn index(&self, indices: Indices, corner: usize) -> Option<usize> {
+    pub(super) fn index(&self, indices: Indices, corner: usize) -> Option<usize> {
         let indices = match self.faces {
             None => indices.corners,
             Some(faces) => *faces.get(indices.face()?)?,

@@ -43,6 +43,7 @@
 mod attribute;
 mod bounds;
 mod buffers;
+mod corner_cache;
 mod counts;
 #[doc(hidden)]
 pub mod flash;
@@ -61,6 +62,7 @@ mod sprites;
 
 pub use bounds::Bounds;
 pub use buffers::Buffers;
+pub(crate) use corner_cache::CornerCache;
 pub use counts::Counts;
 pub use index::Index;
 pub(crate) use index::Indices;

@@ -5,7 +5,7 @@ use core::ops::AddAssign;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
-use super::{Indices, Mesh, Primitive};
+use super::{CornerCache, Indices, Mesh, Primitive};
 use crate::math::{Direction, NormalMatrix, Transform, Vec2, Vec3};
 
 /// A mesh, where a draw call places it, and which attributes the shader asked for but the mesh lacks.
@@ -19,6 +19,8 @@ pub(crate) struct Placement<'a> {
     /// The matrix for normals; computed when a shader first asks for a normal.
     normals: OnceCell<NormalMatrix>,
     pub(crate) missing: Cell<Missing>,
+    /// Where an effect of the shader keeps what it computes at corners.
+    pub(crate) corners: Option<&'a CornerCache>,
 }
 
 /// What a draw call asked for but the mesh lacks; the draw call returns this value.
@@ -71,6 +73,7 @@ impl<'a> Placement<'a> {
             view,
             normals: OnceCell::new(),
             missing: Cell::default(),
+            corners: None,
         }
     }
 

@@ -171,6 +171,28 @@ impl Primitive<'_> {
         })
     }
 
+    /// Like [`corners`](Self::corners), for numbers that depend only on the positions and normals of the corners. They are
+    /// looked up in the draw call's cache, if there is one and `keeps` is true. `numbers` has the right length.
+    #[inline]
+    pub(crate) fn cached_corners<N: Copy + AsRef<[i32]> + AsMut<[i32]>>(
+        &self,
+        keeps: bool,
+        numbers: N,
+        mut f: impl FnMut(&Corner<'_>) -> N,
+    ) -> [N; 3] {
+        let cache = self.placement.corners.filter(|_| keeps);
+        self.corners(|corner| match cache {
+            Some(cache) => cache.numbers(corner.key(), numbers, || f(corner)),
+            None => f(corner),
+        })
+    }
+
+    /// Whether the mesh has normals. Otherwise, all corners of a triangle have the triangle's own normal.
+    #[inline]
+    pub(crate) const fn has_normals(&self) -> bool {
+        self.placement.mesh.has_normals()
+    }
+
     /// The positions of the three corners in model space.
     #[must_use]
     pub fn positions(&self) -> [Vec3; 3] {
@@ -263,6 +285,20 @@ impl Corner<'_> {
     pub fn index(&self) -> Index {
         let index = self.primitive.indices.corners.get(self.corner);
         index.copied().unwrap_or_default()
+    }
+
+    /// The indices of the position and, if normals have indices of their own, of the normal.
+    #[inline]
+    fn key(&self) -> u32 {
+        let Primitive {
+            placement, indices, ..
+        } = self.primitive;
+        let normals = &placement.mesh.normals;
+        let normal = match normals.faces {
+            None => 0,
+            Some(_) => normals.index(*indices, self.corner).unwrap_or_default() as u32,
+        };
+        u32::from(self.index()) | normal << 16
     }
 
     /// The position in model space.

@@ -33,9 +33,9 @@ use core::ops::AddAssign;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::canvas::{Blending, Canvas, DepthBuffer, DepthTest, Storage};
-use crate::mesh::{Missing, Placement};
+use crate::mesh::{CornerCache, Missing, Placement};
 use crate::raster::Rasterizer;
-use crate::shade::ShaderFor;
+use crate::shade::{Shader, ShaderFor};
 use crate::span::{Blit, Mode};
 use crate::view::AsMvp;
 use thing::Target;
@@ -166,6 +166,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &V,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
+        let corners = corner_cache(keeps_corners(shader), usize::MAX);
         let region = (&options.screen(self.frame_size()), &self.rows().clone());
         // Anti-aliased lines change the coverage with each line; other things ignore it.
         let coverage = Cell::default();
@@ -175,7 +176,21 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             shading: &shading, // sprites ask it whether a quad is one plane
             coverage: &coverage,
             blitter: &mut Blit::<_, _, _, V::Kind, _>::new(options.mode, self, shading),
+            corners: corners.as_ref(),
         };
         thing.draw(mvp, target)
     }
+}
+
+/// Whether an effect of the shader keeps what it computes at corners. A build for size does without.
+#[inline]
+const fn keeps_corners<S: Shader>(_: &S) -> bool {
+    S::KEEPS_CORNERS && !cfg!(for_size)
+}
+
+/// A cache for the corners of a draw call of some elements, if an effect of the shader uses one. Few elements would
+/// take less than to make the cache.
+#[inline]
+fn corner_cache(keeps: bool, elements: usize) -> Option<CornerCache> {
+    (keeps && elements > 8).then(CornerCache::new)
 }

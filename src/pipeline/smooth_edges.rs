@@ -146,7 +146,7 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ) -> Result<Drawn, Error> {
         let rows = self.rows().clone();
         let mut drawn = Drawn::default();
-        prepared.each_run(self.frame_size(), &rows, |edges, run| {
+        prepared.each_run(self.frame_size(), (&rows, false), |edges, run| {
             drawn += Smoother::new(self, run.scissor.clone())
                 .smooth(|smoother| run.draw_edges(edges.of, 1, &raster::smooth_edge, smoother));
         })?;

@@ -7,7 +7,7 @@ use core::cell::Cell;
 use super::call::{Call, Region};
 use super::{Drawn, run};
 use crate::canvas::{Blending, DepthTest};
-use crate::mesh::Mesh;
+use crate::mesh::{CornerCache, Mesh};
 use crate::raster::{self, Blitter, ClippedVertex, Coverage, LineStyle, Rasterizer};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
@@ -38,6 +38,8 @@ pub struct Target<'t, P> {
     /// Where the rasterizer puts how much of each pixel an anti-aliased line covers.
     pub(super) coverage: &'t Cell<Coverage>,
     pub(super) blitter: &'t mut dyn Blitter,
+    /// Where an effect of the shader keeps what it computes at corners.
+    pub(super) corners: Option<&'t CornerCache>,
 }
 
 impl Sealed for &Mesh<'_> {}
@@ -47,7 +49,9 @@ impl<C> Thing<C> for &Mesh<'_> {
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
-        run::draw(&Call::new(to.region, self, mvp), to.blitter)
+        let mut call = Call::new(to.region, self, mvp);
+        call.placement.corners = to.corners;
+        run::draw(&call, to.blitter)
     }
 }
 

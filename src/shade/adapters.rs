@@ -4,10 +4,10 @@ use core::marker::PhantomData;
 
 use super::format::{FRACTION, fractions};
 use super::{
-    Channels, ColorOf, Fragment, Illumination, Output, PixelFormat, Precise, PreciseOf, Shader,
-    Varyings, Within,
+    Channels, ColorOf, Fragment, Illumination, Lanes, Output, PixelFormat, Precise, PreciseOf,
+    Shader, Varyings, Within,
 };
-use crate::mesh::Primitive;
+use crate::mesh::{Corner, Primitive};
 
 /// A surface and an effect. The effect changes the surface's output and has varyings of its own.
 #[doc(hidden)]
@@ -26,10 +26,29 @@ pub trait Effect<O: Output>: Copy {
     /// The values that the effect interpolates, in addition to the values of the surface.
     type Varyings: Varyings;
 
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];
+    /// Whether the effect [keeps](Shader::KEEPS_CORNERS) its values for corners.
+    const KEEPS_CORNERS: bool = false;
+
+    /// The values at the corners of a primitive. `keeps` is true if no effect below this one keeps values, because a draw
+    /// call has a single cache.
+    fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3];
 
     /// Applies the effect to the surface's output at a pixel.
     fn apply(&self, output: O, varyings: Self::Varyings) -> Self::Color;
+}
+
+/// The values at the corners of a primitive, from the draw call's cache if `keeps` is true. They may depend only on the
+/// positions and normals of the corners.
+#[inline]
+pub(super) fn cached<V: Varyings>(
+    primitive: &Primitive<'_>,
+    keeps: bool,
+    mut values: impl FnMut(&Corner<'_>) -> V,
+) -> [V; 3] {
+    const { assert!(size_of::<V::Face>() == 0) };
+    let numbers =
+        primitive.cached_corners(keeps, V::Lanes::splat(0), |corner| values(corner).split().0);
+    numbers.map(|numbers| V::join(numbers, V::Face::default()))
 }
 
 impl<S: Shader, E: Effect<S::Color>> Shader for Adapted<S, E> {
@@ -37,11 +56,12 @@ impl<S: Shader, E: Effect<S::Color>> Shader for Adapted<S, E> {
     type Varyings = (S::Varyings, E::Varyings);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
+    const KEEPS_CORNERS: bool = S::KEEPS_CORNERS || E::KEEPS_CORNERS;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let [a, b, c] = self.surface.varyings(primitive);
-        let [x, y, z] = self.effect.varyings(primitive);
+        let [x, y, z] = self.effect.varyings(primitive, !S::KEEPS_CORNERS);
         [(a, x), (b, y), (c, z)]
     }
 
@@ -63,7 +83,7 @@ impl<O: Output<Color: PixelFormat>> Effect<O> for Tint {
     type Varyings = Within<FRACTION, <O::Color as PixelFormat>::Channels>;
 
     #[inline]
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+    fn varyings(&self, primitive: &Primitive<'_>, _: bool) -> [Self::Varyings; 3] {
         primitive.corners(|corner| Within(Channels::of(fractions::<O::Color>(corner.color()))))
     }
 
@@ -98,6 +118,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>, C: PixelFormat> Shader for Co
     type Varyings = S::Varyings;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
+    const KEEPS_CORNERS: bool = S::KEEPS_CORNERS;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {
@@ -145,6 +166,7 @@ impl<S: Shader<Color: Output<Color: PixelFormat>>> Shader for Dithered<S> {
     type Varyings = S::Varyings;
 
     const READS_DEPTH: bool = S::READS_DEPTH;
+    const KEEPS_CORNERS: bool = S::KEEPS_CORNERS;
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>) -> [S::Varyings; 3] {

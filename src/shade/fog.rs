@@ -5,6 +5,7 @@ use core::ops::Bound::Included;
 
 use embedded_graphics::geometry::Point;
 
+use super::adapters::cached;
 use super::ramp::Ramp;
 use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
 use crate::error::{Error, check_above, check_range, ok};
@@ -237,9 +238,13 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
     type Color = Fogged<O, D>;
     type Varyings = Within<UNSEEN, i32>;
 
+    const KEEPS_CORNERS: bool = true;
+
     #[inline]
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        primitive.corners(|corner| Within(self.density.varying(corner.distance())))
+    fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3] {
+        cached(primitive, keeps, |corner| {
+            Within(self.density.varying(corner.distance()))
+        })
     }
 
     #[inline]

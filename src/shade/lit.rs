@@ -1,10 +1,11 @@
 //! Surfaces under a light.
 
+use super::adapters::cached;
 use super::format::FRACTION;
 use super::light::{self, FULL, Illumination, Light, Lighting, SurfacePoint};
 use super::{Adapted, Channels, Effect, Output, PerFace, PixelFormat, Within};
 use crate::math::Direction;
-use crate::mesh::Primitive;
+use crate::mesh::{Corner, Primitive};
 
 /// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
 ///
@@ -25,18 +26,31 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
     type Color = O::With<O::Color>;
     type Varyings = Within<FRACTION, PackedOf<L, O::Color>>;
 
+    // A light that reads the face may throw different light on two sides of a vertex.
+    const KEEPS_CORNERS: bool = !L::READS_FACE;
+
     #[inline]
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
-        let face = if L::READS_FACE && primitive.face().is_some() {
+    fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3] {
+        let has_normals = primitive.has_normals();
+        let face = if (L::READS_FACE || !has_normals) && primitive.face().is_some() {
             primitive.world_normal()
         } else {
             Direction::NONE
         };
-        primitive.corners(|corner| {
-            let (normal, position) = (corner.world_normal(), || corner.world_position());
-            let point = SurfacePoint::new::<L>(normal, face, position);
+        let light = |corner: &Corner<'_>| {
+            let normal = if has_normals {
+                corner.world_normal()
+            } else {
+                face
+            };
+            let point = SurfacePoint::new::<L>(normal, face, || corner.world_position());
             Within(self.0.at(&point).pack::<O::Color>())
-        })
+        };
+        if has_normals && <Self as Effect<O>>::KEEPS_CORNERS {
+            cached(primitive, keeps, light)
+        } else {
+            primitive.corners(light)
+        }
     }
 
     #[inline]
@@ -60,7 +74,7 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByFace<L> {
     type Varyings = PerFace<PackedOf<L, O::Color>>;
 
     #[inline]
-    fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
+    fn varyings(&self, primitive: &Primitive<'_>, _: bool) -> [Self::Varyings; 3] {
         let light = if primitive.face().is_some() {
             let (normal, position) = (primitive.world_normal(), || primitive.world_middle());
             let point = SurfacePoint::new::<L>(normal, normal, position);

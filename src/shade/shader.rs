@@ -195,6 +195,10 @@ pub trait Shader: Copy {
     /// is interpolated. Then depth is not computed, and [`Fragment::depth`] reads as 0.
     const READS_DEPTH: bool = true;
 
+    /// Whether an effect of this shader, such as light, keeps what it computes at corners for neighboring triangles.
+    #[doc(hidden)]
+    const KEEPS_CORNERS: bool = false;
+
     /// The values at the three corners of a triangle. For an edge, the values belong to its first end, its second end,
     /// and its second end again; for a point, the same value comes three times.
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3];

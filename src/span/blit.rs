@@ -49,8 +49,9 @@ where
 
     const HAS_SMALL: bool = Interpolator::<Count<S>, K, M>::HAS_SMALL;
 
-    /// Whether a plan may be [`Plan::SmallOverW`].
-    const HAS_SMALL_OVER_W: bool = matches!(Interpolator::<Count<S>, K, M>::KERNEL, Plan::Newton);
+    /// Whether rows with [`Plan::SmallOverW`] have a loop of their own. In a build for size, they are drawn as spans.
+    const HAS_SMALL_OVER_W: bool =
+        Interpolator::<Count<S>, K, M>::HAS_SMALL_OVER_W && !cfg!(for_size);
 
     /// Whether small triangles carry two varyings in one number.
     const PAIRS: bool = S::Varyings::PAIRS && Self::HAS_SMALL;

@@ -52,6 +52,9 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
     /// Whether a plan may be [`Plan::Small`].
     pub(super) const HAS_SMALL: bool = Self::HAS_STRAIGHT && !Self::ONLY_WIDE;
 
+    /// Whether a plan may be [`Plan::SmallOverW`].
+    pub(super) const HAS_SMALL_OVER_W: bool = matches!(Self::KERNEL, Plan::Newton);
+
     const LEAST_BITS: u32 = match M::KERNEL {
         Plan::Newton if Self::OVER_W => FRACTION,
         _ if Self::OVER_W || Self::IS_UNIFORM => 1,
@@ -137,12 +140,12 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             count,
         };
         let plan = match self.plan {
-            // Only in a build for size does a small triangle come here.
-            Plan::SmallOverW if !cfg!(for_size) => Plan::SmallOverW,
-            Plan::BySpan | Plan::Newton | Plan::SmallOverW | Plan::Pieces(_)
-                if Self::KERNEL != Plan::Straight =>
-            {
+            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::KERNEL != Plan::Straight => {
                 self.mode.of_span(self.plan, &self.planes, &mut span)
+            }
+            // Otherwise, spans are drawn elsewhere.
+            Plan::SmallOverW if Self::HAS_SMALL_OVER_W && cfg!(for_size) => {
+                self.mode.of_span(Plan::SmallOverW, &self.planes, &mut span)
             }
             plan => plan,
         };

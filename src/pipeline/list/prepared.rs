@@ -20,7 +20,7 @@ use crate::pipeline::call::{Region, Screen};
 use crate::pipeline::clip::ClippedPolygon;
 use crate::pipeline::edges::EdgesOf;
 use crate::pipeline::thing::{DrawLine, Thing};
-use crate::pipeline::{DrawOptions, Drawn};
+use crate::pipeline::{DrawOptions, Drawn, corner_cache, keeps_corners};
 use crate::raster::{
     self, Barycentric, Blitter, ClippedVertex, Cull, DepthShift, Polygon, Rasterizer, Scissor,
     ScreenVertex,
@@ -322,17 +322,20 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }))
     }
 
-    /// Calls `draw` for the elements of each thing that may have pixels in `rows` of a canvas's frame.
+    /// Calls `draw` for the elements of each thing that may have pixels in `rows` of a canvas's frame. `keeps` tells
+    /// whether shading [keeps](crate::Shader::KEEPS_CORNERS) what it computes at corners.
     #[inline]
     pub(in crate::pipeline) fn each_run(
         &self,
         frame: Size,
-        rows: &Range<u32>,
+        (rows, keeps): (&Range<u32>, bool),
         mut draw: impl FnMut(&G, &Run<'_>),
     ) -> Result<(), Error> {
         self.screen.check(frame)?;
         for (_, placed, entries) in self.runs(rows) {
+            let corners = corner_cache(keeps, entries.len());
             let mut run = placed.run((&self.screen, rows), entries, self.vertices);
+            run.placement.corners = corners.as_ref();
             // A band that the thing misses costs one test.
             if !meets(placed.listing.rows, G::REACH, &run.scissor.rows) {
                 run.entries = &[];
@@ -448,10 +451,14 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         let options = &prepared.options;
         let shading = G::Shading::from((options.shading(*shader), &coverage));
         let mut drawn = Drawn::default();
-        prepared.each_run(self.frame_size(), &rows, |thing, run| {
-            let mut blit = Blit::<_, _, _, K, _>::new(options.mode, self, shading);
-            drawn += thing.draw_listed(run, &mut blit, &coverage);
-        })?;
+        prepared.each_run(
+            self.frame_size(),
+            (&rows, keeps_corners(shader)),
+            |thing, run| {
+                let mut blit = Blit::<_, _, _, K, _>::new(options.mode, self, shading);
+                drawn += thing.draw_listed(run, &mut blit, &coverage);
+            },
+        )?;
         Ok(drawn)
     }
 }

@@ -8,6 +8,7 @@ use heapless::Vec;
 use super::{Entry, Listed, Prepared};
 use crate::error::Error;
 use crate::mesh::{Missing, Primitive};
+use crate::pipeline::{corner_cache, keeps_corners};
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
 
 /// Memory for the light on a prepared list, or for whatever else a shader computes for each triangle or edge.
@@ -108,7 +109,9 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         let frame = 0..self.screen.frame.height;
         for (material, placed, entries) in self.runs(&frame) {
             let shader = shader_of(material);
-            let run = placed.run((&self.screen, &frame), entries, self.vertices);
+            let corners = corner_cache(keeps_corners(&shader), entries.len());
+            let mut run = placed.run((&self.screen, &frame), entries, self.vertices);
+            run.placement.corners = corners.as_ref();
             for entry in entries {
                 let element = entry.element.wrapping_sub(placed.listing.first) as usize;
                 let values = values.get_mut(index(ptr::from_ref(entry).addr(), first));

@@ -1,0 +1,61 @@
+//! A cache of what a shader computed at corners.
+
+use core::cell::Cell;
+
+/// The slots for corners with one number. Corners with more numbers have fewer slots.
+const SLOTS: usize = 64;
+
+/// What an effect of a shader, such as light, computed at recent corners of a mesh: kept because neighboring triangles
+/// share corners. The cache takes 512 bytes of stack.
+///
+/// Like the cache of projected vertices, it has one slot for all vertices with indices that are a multiple of the number
+/// of slots apart.
+#[derive(Clone, Debug)]
+pub(crate) struct CornerCache {
+    keys: [Cell<u32>; SLOTS],
+    numbers: [Cell<i32>; SLOTS],
+}
+
+impl CornerCache {
+    #[inline]
+    pub(crate) const fn new() -> Self {
+        let cache = Self {
+            keys: [const { Cell::new(0) }; SLOTS],
+            numbers: [const { Cell::new(0) }; SLOTS],
+        };
+        // A corner with key 1 never has slot 0, so key 1 marks slot 0 as empty. Key 0 marks the other slots as empty.
+        let [first, ..] = &cache.keys;
+        first.replace(1);
+        cache
+    }
+
+    /// Reads the numbers of a corner; otherwise, computes and keeps them. All corners must have as many numbers, at most
+    /// eight. Equal corners have equal keys.
+    #[inline]
+    pub(crate) fn numbers<N: AsRef<[i32]> + AsMut<[i32]>>(
+        &self,
+        key: u32,
+        mut numbers: N,
+        compute: impl FnOnce() -> N,
+    ) -> N {
+        let stride = numbers.as_ref().len().next_power_of_two();
+        let slot = key as usize % (SLOTS / stride).max(1);
+        let at = slot * stride;
+        let kept = self.numbers.get(at..).unwrap_or_default();
+        let Some(holds) = self.keys.get(slot) else {
+            return compute();
+        };
+        if holds.get() == key {
+            for (number, kept) in numbers.as_mut().iter_mut().zip(kept) {
+                *number = kept.get();
+            }
+            return numbers;
+        }
+        numbers = compute();
+        holds.set(key);
+        for (number, kept) in numbers.as_ref().iter().zip(kept) {
+            kept.set(*number);
+        }
+        numbers
+    }
+}
