@@ -15,6 +15,7 @@ mod colors;
 mod counts;
 mod depths;
 mod golden;
+mod kept_corners;
 mod mirrors;
 mod objects;
 mod order;
