@@ -16,7 +16,7 @@ use crate::view::ProjectionKind;
 #[allow(clippy::inline_always)] // a call takes 30 to 40 instructions, and the compiler's choice depends on the build's path
 pub(super) fn edge<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache<N>,
+    vertices: &mut VertexCache<'_, N>,
     (indices, beside): (Indices, u16),
     each: &mut impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
 ) {
@@ -50,7 +50,7 @@ pub(super) fn edge<K: ProjectionKind, const N: usize>(
 #[allow(clippy::inline_always)] // a call takes as long as the rest of the function
 pub(super) fn areas<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache<N>,
+    vertices: &mut VertexCache<'_, N>,
     &[a, b, c, d]: &[Index; 4],
 ) -> [i64; 2] {
     let mut any = 0;
@@ -79,7 +79,7 @@ pub(super) fn areas<K: ProjectionKind, const N: usize>(
 #[inline(never)]
 fn clipped_area<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache<N>,
+    vertices: &mut VertexCache<'_, N>,
     indices: [Index; 3],
 ) -> i64 {
     let corners = vertices.copies(&call.projector, indices);
@@ -103,7 +103,7 @@ fn clipped_area<K: ProjectionKind, const N: usize>(
 #[inline(never)]
 pub(super) fn steepness<K: ProjectionKind, const N: usize>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache<N>,
+    vertices: &mut VertexCache<'_, N>,
     indices: [Index; 3],
     is_crease: bool,
 ) -> u16 {

@@ -1,25 +1,28 @@
 //! A cache of projected vertices.
 
+use core::hint::black_box;
+
 use super::vertex::Projector;
 use crate::mesh::Index;
 use crate::raster::ScreenVertex;
 use crate::view::ProjectionKind;
 
-/// Recently projected vertices, kept because neighboring triangles share vertices. The cache takes 1 KiB of stack.
+/// Recently projected vertices, kept because neighboring triangles share vertices.
 ///
-/// A vertex of a grid is projected once if the rows have up to 60 vertices. In longer rows, it is overwritten before
-/// the next row needs it, and is projected twice.
-pub(super) struct VertexCache<const N: usize = SIZE> {
-    entries: [ScreenVertex; N],
+/// A vertex of a grid is projected once if the rows have up to 124 vertices (in a build for size, 60). In longer rows,
+/// it is overwritten before the next row needs it, and is projected twice.
+pub(super) struct VertexCache<'c, const N: usize = SIZE> {
+    /// Borrowed, because the compiler would build an owned array twice on the stack, and copy it.
+    entries: &'c mut [ScreenVertex; N],
     slots: Slots,
 }
 
-/// The number of slots, a power of two.
-pub(super) const SIZE: usize = 64;
+/// The number of slots, a power of two. A slot takes 16 bytes of stack, so a build for size has fewer.
+pub(super) const SIZE: usize = if cfg!(for_size) { 64 } else { 128 };
 
 /// The number of slots for the vertices of an outline, twice as many, because an edge has the vertices of two faces,
 /// from three rows of a grid.
-pub(super) const OUTLINE_SIZE: usize = 2 * SIZE;
+pub(super) const OUTLINE_SIZE: usize = 128;
 
 /// Which of the slots a vertex has.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +32,8 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// The slots of a mesh's vertices. Usually, vertices with indices 64 apart share a slot. In a grid with rows of 63
-    /// to 65 vertices (or 127 to 129, and so on), these vertices are neighbors: they would push each other out of the
+    /// The slots of a mesh's vertices. Usually, vertices with indices 128 apart share a slot. In a grid with rows of 127
+    /// to 129 vertices (or 255 to 257, and so on), these vertices are neighbors: they would push each other out of the
     /// slot, and be projected up to ten times. In such a grid, the slots of consecutive indices are 75/64 apart. A face
     /// in the middle of the mesh tells how long the rows are.
     #[inline]
@@ -42,7 +45,7 @@ impl Slots {
         if apart < 5 {
             apart = b.wrapping_sub(c).wrapping_add(2);
         }
-        let step = if apart % 64 < 5 && apart >= 5 {
+        let step = if apart as usize % SIZE < 5 && apart >= 5 {
             1200
         } else {
             1024
@@ -58,18 +61,21 @@ impl Slots {
     }
 }
 
-impl<const N: usize> VertexCache<N> {
+/// The entries of an empty cache.
+#[inline(always)] // so that they are built in place
+pub(super) fn empty<const N: usize>() -> [ScreenVertex; N] {
+    // An array of zeros would be cleared by a function that stores word by word. This array is filled by instructions
+    // that store several words each.
+    [black_box(ScreenVertex::UNSET); N]
+}
+
+impl<'c, const N: usize> VertexCache<'c, N> {
+    /// A cache in the memory of [`empty`] entries.
     #[inline]
-    pub(super) const fn new(slots: Slots) -> Self {
-        // The array starts with all bits 0, and a single bit is then set in place. An array with any other bits would
-        // be built twice on the stack, and copied.
-        let mut cache = Self {
-            entries: [ScreenVertex::UNSET; N],
-            slots,
-        };
+    pub(super) const fn new(entries: &'c mut [ScreenVertex; N], slots: Slots) -> Self {
         // Index 1 never maps to slot 0, so index 1 marks slot 0 as empty. Index 0 marks the other slots as empty.
-        cache.entries[0].index = 1;
-        cache
+        entries[0].index = 1;
+        Self { entries, slots }
     }
 
     /// Forgets all vertices. The indices of these vertices must be below `count`, and each index must be the number of
@@ -127,7 +133,7 @@ impl<const N: usize> VertexCache<N> {
             }
         }
         // Destructured by hand, because a `map` over references compiles to arrays and loops.
-        let (entries, slots) = (&self.entries, self.slots);
+        let (entries, slots) = (&*self.entries, self.slots);
         let entry = |index| &entries[slots.slot::<N>(index)];
         Some([entry(a), entry(b), entry(c)])
     }
@@ -191,7 +197,7 @@ mod tests {
         [projected, shared]
     }
 
-    /// If vertices with indices 64 apart shared a slot in every mesh, vertices in rows of 64 would be projected ten
+    /// If vertices with indices 128 apart shared a slot in every mesh, vertices in rows of 128 would be projected ten
     /// times.
     #[test]
     fn no_number_of_vertices_in_a_row_is_a_cliff() {
@@ -201,7 +207,11 @@ mod tests {
                 let [projected, shared] = costs(&faces);
                 let most = usize::from(faces.iter().flatten().copied().max().unwrap()) + 1;
                 // A twentieth more is allowed, because of the places where slots begin again.
-                let times = if length <= 60 { 1 } else { 2 };
+                let times = if usize::from(length) <= SIZE - 4 {
+                    1
+                } else {
+                    2
+                };
                 let case = std::format!("rows of {length}, order {order}");
                 assert!(
                     20 * projected <= 21 * times * most,
@@ -215,7 +225,7 @@ mod tests {
     /// Index 1 marks slot 0 as empty, and index 0 marks the other slots.
     #[test]
     fn index_0_alone_of_the_first_has_slot_0() {
-        for length in [9, 64] {
+        for length in [9, SIZE as Index] {
             let slots = Slots::new(&grid(length, 0));
             let in_slot_0: Vec<_> = (0..54)
                 .filter(|&index| slots.slot::<SIZE>(index) == 0)

@@ -2,7 +2,7 @@
 
 use super::Drawn;
 use super::assemble;
-use super::cache::{OUTLINE_SIZE, VertexCache};
+use super::cache::{self, OUTLINE_SIZE, VertexCache};
 use super::call::Call;
 use super::thing::{Target, Thing};
 use crate::canvas::{Blending, DepthTest};
@@ -282,7 +282,8 @@ impl<'m> EdgesOf<'m> {
     ) -> usize {
         match self.outline {
             None => {
-                let mut vertices = <VertexCache>::new(call.slots);
+                let mut entries = cache::empty();
+                let mut vertices = <VertexCache<'_>>::new(&mut entries, call.slots);
                 for (edge, &ends) in self.mesh.edge_indices().iter().enumerate() {
                     let indices = Indices::of_edge(edge, ends);
                     assemble::edge(call, &mut vertices, (indices, 0), &mut each);
@@ -291,7 +292,8 @@ impl<'m> EdgesOf<'m> {
             }
             Some(outline) => {
                 let mut kept = 0;
-                let mut vertices = VertexCache::<OUTLINE_SIZE>::new(call.slots);
+                let mut entries = cache::empty::<OUTLINE_SIZE>();
+                let mut vertices = VertexCache::new(&mut entries, call.slots);
                 for (edge, faces) in outline.edges().iter().enumerate() {
                     let [left, right] = assemble::areas(call, &mut vertices, faces);
                     let is_crease = edge < outline.creases();
@@ -327,7 +329,7 @@ impl<'m> EdgesOf<'m> {
 #[inline(never)]
 fn steepness_beside<K: ProjectionKind>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache<OUTLINE_SIZE>,
+    vertices: &mut VertexCache<'_, OUTLINE_SIZE>,
     [a, b, c, d]: [Index; 4],
     (hides, is_crease): ([bool; 2], bool),
 ) -> u16 {

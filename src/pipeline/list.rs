@@ -585,7 +585,8 @@ impl Listed for &Mesh<'_> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
-        let mut vertices = VertexCache::new(call.slots);
+        let mut entries = cache::empty();
+        let mut vertices = VertexCache::new(&mut entries, call.slots);
         for (face, corners) in self.faces().iter().enumerate() {
             run::triangle(call, &mut vertices, corners, |triangle| match triangle {
                 OnScreen::Whole(corners, area) => filling.whole(face, corners, area),

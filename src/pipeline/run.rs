@@ -11,7 +11,7 @@
 //! | 7 | pixels | [`Rows::draw`](crate::raster::Rows::draw) |
 
 use super::Drawn;
-use super::cache::VertexCache;
+use super::cache::{self, VertexCache};
 use super::call::Call;
 use super::clip::{ClippedPolygon, clip};
 use crate::mesh::{Index, Indices, Primitive};
@@ -23,7 +23,8 @@ use crate::view::ProjectionKind;
 pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     let mut raster = call.rasterizer(blitter);
     // If the cache were made after the faces are found, Cortex-M0+ would need more registers.
-    let mut vertices = VertexCache::new(call.slots);
+    let mut entries = cache::empty();
+    let mut vertices = VertexCache::new(&mut entries, call.slots);
     let faces = call.placement.mesh.faces();
     let culled = draw_faces(call, (0, faces), &mut vertices, &mut raster);
     let counts = [faces.len() as u32, culled];
@@ -36,7 +37,7 @@ pub(super) fn draw<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blit
 fn draw_faces<K: ProjectionKind>(
     call: &Call<'_, K>,
     (first, faces): (usize, &[[Index; 3]]),
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<'_>,
     raster: &mut Rasterizer<'_>,
 ) -> u32 {
     let mut culled = 0;
@@ -75,7 +76,7 @@ pub(super) enum OnScreen<'v> {
 #[allow(clippy::trivially_copy_pass_by_ref)] // by value, the corners would be loaded before most of them are needed
 pub(super) fn triangle<K: ProjectionKind>(
     call: &Call<'_, K>,
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<'_>,
     corners: &[Index; 3],
     mut then: impl FnMut(OnScreen<'_>),
 ) {
@@ -119,7 +120,7 @@ pub(super) type IsPlane<'p> = &'p dyn Fn([&Primitive<'_>; 2]) -> bool;
 pub(super) fn quads<K: ProjectionKind>(
     call: &Call<'_, K>,
     first: usize,
-    vertices: &mut VertexCache,
+    vertices: &mut VertexCache<'_>,
     is_plane: Option<IsPlane<'_>>,
     blitter: &mut dyn Blitter,
 ) -> Drawn {

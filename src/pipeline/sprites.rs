@@ -4,7 +4,7 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
-use super::cache::{Slots, VertexCache};
+use super::cache::{self, Slots, VertexCache};
 use super::call::Call;
 use super::run::{self, IsPlane};
 use super::thing::{Target, Thing};
@@ -296,7 +296,8 @@ impl<'s, K: ProjectionKind, A: Turn> Quads<'s, K, A> {
         // If all sprites have the same texture coordinates, they are written only here.
         let mut uvs = [uvs_of(sprites.frame(0)); BATCH];
         let mut colors = [[Rgb888::WHITE; 4]; BATCH];
-        let mut vertices = VertexCache::new(Slots::new(&[]));
+        let mut entries = cache::empty();
+        let mut vertices = VertexCache::new(&mut entries, Slots::new(&[]));
         // The corners are kept for the last scale, because many sprites have the same scale.
         let mut last = (BlockFloat::ZERO, [Vec3::ZERO; 4], true);
         for (batch, positions) in sprites.positions.chunks(BATCH).enumerate() {
