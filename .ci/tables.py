@@ -21,7 +21,7 @@ def tenths(value):
 def million(value):
     """Millions, with three significant digits."""
     value /= 1e6
-    return f"{value:.2f}" if value < 9.995 else f"{value:.1f}"
+    return f"{value:.{3 if value < 0.005 else 2 if value < 9.995 else 1}f}"
 
 
 def short_million(value):
@@ -71,8 +71,15 @@ SPHERES = {
     "small3dlib": [(480, 2_813_785, 716_925), (1984, 4_034_870, 1_674_965), (4512, 5_710_115, 3_064_910),
                    (6160, 6_737_160, 3_928_475), (7812, 7_741_515, 4_779_535), (8064, 7_893_915, 4_909_535)],
 }
+# tgx 1.1.4 with an FPU, measured once: instructions for a frame of the meshes that `kernels` draws.
+MESHES = {
+    "wreath-far": 1_860_680, "wreath-mid": 2_573_200, "wreath-near": 3_302_840, "wreath-cut": 3_335_960,
+    "wreath-away": 800, "wreath-lit-far": 2_236_800, "wreath-lit-mid": 3_142_840, "wreath-lit-near": 4_196_440,
+    "wreath-lit-cut": 4_317_760, "wreath-lit-away": 760, "cubes-flat": 3_683_360, "cubes-textured": 4_921_880,
+    "cubes-lit": 4_973_880, **{f"sphere-lit-{point[0]}": point[1] for point in SPHERES["tgx FPU"]},
+}
 FIXEL = "#d9822b"
-COLORS = {"tgx FPU": "#4a90d9", "small3dlib": "#8a8f98"}
+COLORS = {"fixel, lit": "#a33b2b", "tgx FPU": "#4a90d9", "small3dlib": "#8a8f98"}
 
 
 def drawing(width, height, label, parts):
@@ -140,6 +147,37 @@ def names(instructions, other):
 
         return cells(show, [cost(name, column, unit) - (cost(less, column) if less else 0) for column in on])
 
+    def mesh_cost(name, column):
+        """The cost of a frame of a mesh: the mean over its poses, or of one frame. The cubes are 300 calls."""
+        if name.startswith("sphere"):
+            return instructions[(*column, "newton", name, "mean-of-poses")]
+        return instructions[(*column, "kernel", name, units[name])] / 1000 * (300 if "call" in units[name] else 1)
+
+    def mesh(name):
+        ours = cells(million, [mesh_cost(name, column) for column in BOTH])
+        return f"{ours} | {million(MESHES[name]) if name in MESHES else '–'}"
+
+    def meshes():
+        """Millions of instructions for a frame of meshes, for fixel and for tgx."""
+        kinds = [("textured model, 350 pixels", "wreath-far"), ("2,500 pixels", "wreath-mid"),
+                 ("9,500 pixels", "wreath-near"), ("cut by the edge", "wreath-cut"),
+                 ("lit and textured, 350 pixels", "wreath-lit-far"), ("2,500 pixels", "wreath-lit-mid"),
+                 ("9,500 pixels", "wreath-lit-near"), ("cut by the edge", "wreath-lit-cut"),
+                 ("300 cubes: one color", "cubes-flat"), ("textured", "cubes-textured"), ("lit", "cubes-lit"),
+                 ("lit sphere: 480 triangles", "sphere-lit-480"), ("1,984", "sphere-lit-1984"),
+                 ("7,812", "sphere-lit-7812")]
+        parts = []
+        for at, (name, what) in enumerate(kinds):
+            parts.append(text(188, 24 + 34 * at, name, "end"))
+            for y, color, count in [(13, FIXEL, mesh_cost(what, (M4, "3"))), (27, COLORS["tgx FPU"], MESHES[what])]:
+                parts.append(f'<path d="M196 {y + 34 * at}h{count / 1e6 * 40:.1f}" stroke="{color}" stroke-width="11"/>')
+                parts.append(text(202 + count / 1e6 * 40, y + 4 + 34 * at, million(count), "start"))
+        bottom = 34 * len(kinds) + 22
+        for x, color, who in [(196, FIXEL, "fixel"), (300, COLORS["tgx FPU"], "tgx, with an FPU")]:
+            parts.append(f'<path d="M{x} {bottom - 4}h16" stroke="{color}" stroke-width="9"/>')
+            parts.append(text(x + 22, bottom, who, "start"))
+        return drawing(660, bottom + 8, "Millions of instructions for a frame of meshes, for fixel and tgx", parts)
+
     def code(name, target=M4, optimization="s"):
         return other[f"{target} {optimization} {name} code"]
 
@@ -170,11 +208,14 @@ def names(instructions, other):
         for way, (title, name) in enumerate([("interpolated colors, with depth", "sphere"), ("one color", "sphere-flat")]):
             theirs = [(COLORS[who], [(point[0], point[1 + way] / 1e6) for point in points])
                       for who, points in SPHERES.items()]
-            parts += chart(340 * way, title, [(FIXEL, ours(name)), *theirs])
-        colors = {"fixel": FIXEL, "tgx, with an FPU": COLORS["tgx FPU"], "small3dlib": COLORS["small3dlib"]}
+            lit = [(count, mesh_cost(f"sphere-lit-{count}", (M4, "3")) / 1e6) for count in [480, 1984, 7812]]
+            lit = [] if way else [(COLORS["fixel, lit"], lit)]
+            parts += chart(340 * way, title, [(FIXEL, ours(name)), *lit, *theirs])
+        colors = {"fixel": FIXEL, "fixel, lit": COLORS["fixel, lit"], "tgx, with an FPU": COLORS["tgx FPU"],
+                  "small3dlib": COLORS["small3dlib"]}
         for at, (who, color) in enumerate(colors.items()):
-            parts.append(f'<path d="M{170 + 130 * at} 258h16" stroke="{color}" stroke-width="3"/>')
-            parts.append(text(192 + 130 * at, 262, who, "start"))
+            parts.append(f'<path d="M{50 + 150 * at} 258h16" stroke="{color}" stroke-width="3"/>')
+            parts.append(text(72 + 150 * at, 262, who, "start"))
         return drawing(660, 270, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
                        "small3dlib", parts)
 

@@ -33,12 +33,14 @@
 /// | `uvs` | texture coordinates for triangles that have none: each triangle is projected to the side of the model's bounding box that it faces most |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
+/// | `file_order` | faces and positions in the order of the file: for a [table of your own](trait@crate::Shader) with one value for each of them, or to draw without a depth buffer in that order |
 /// | `center` | the middle of the whole model's bounding box is moved to the origin, before `scale`: for models far from the origin. Parts and objects of one file still fit together |
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y points up. `up = z` is the default for STL, and `up = y` for other formats |
 ///
-/// Positions keep the order of the file, so a [table of your own](trait@crate::Shader) can have one value per position.
-/// Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
+/// If another order of faces and positions takes less time to draw, the mesh gets that order. Faces stay in the part of
+/// their material, and faces that are not opaque keep their order. Files with the same faces get the same order, so they
+/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
 /// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
 /// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
 /// If only some corners have texture coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners
@@ -104,7 +106,7 @@ macro_rules! include_materials {
 /// assert!(EDGES.creases() > 0);
 /// ```
 ///
-/// The options `object`, `part`, `center`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle
+/// The options `object`, `part`, `file_order`, `center`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle
 /// in degrees, from 0 to 180, and 30 by default. An edge is a crease if its two faces meet at more than this angle; 30 to
 /// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]

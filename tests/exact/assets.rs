@@ -238,6 +238,23 @@ fn an_object_and_its_normals() {
     assert!(HOUSE.has_normals() && !BARE.has_normals() && BALLOON.has_normals());
 }
 
+/// The globe's faces get another order. Its outline has the same order, with and without the option.
+#[test]
+fn option_file_order_keeps_the_order_of_mesh_and_outline() {
+    static GLOBE: Mesh = include_mesh!("../../examples/assets/globe.ply");
+    static OUTLINE: Outline = include_outline!("../../examples/assets/globe.ply");
+    static OF_FILE: Mesh = include_mesh!("../../examples/assets/globe.ply", file_order);
+    static OUTLINE_OF_FILE: Outline =
+        include_outline!("../../examples/assets/globe.ply", file_order);
+    assert_eq!(OF_FILE.faces()[..3], [[0, 1, 2], [1, 3, 2], [2, 3, 4]]);
+    assert_ne!(GLOBE.faces(), OF_FILE.faces());
+    for (mesh, outline) in [(&GLOBE, &OUTLINE), (&OF_FILE, &OUTLINE_OF_FILE)] {
+        let mut edges = [[0; 4]; 3 * 720];
+        let built = Outline::build(mesh, deg!(30), &mut edges).unwrap();
+        assert_eq!(built.edges(), outline.edges());
+    }
+}
+
 /// A texture of raw bytes has the same texels as a texture that the macro makes.
 #[test]
 fn raw_bytes_are_those_of_the_texels() {

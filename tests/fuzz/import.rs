@@ -67,6 +67,7 @@ pub fn model(bytes: &[u8]) {
         z_up: has(4),
         part: name(&materials).filter(|_| has(5)),
         object: name(&model.objects).filter(|_| has(6)),
+        file_order: has(7),
     };
     if let Some(note) = model.merging(options.scale) {
         check_message(&note);

@@ -40,6 +40,7 @@ mod material;
 mod mtl;
 mod notes;
 mod obj;
+mod order;
 mod outline;
 pub mod picture;
 mod ply;

@@ -8,8 +8,8 @@ use crate::expansion::Expansion;
 /// The formats in which a mesh can store its lists, except the default format.
 const FORMATS: [&str; 3] = ["quantized", "quantized_16", "quantized_8"];
 
-/// The options that choose the faces of the mesh, and its place, scale and axes.
-const COMMON: [&str; 5] = ["object", "part", "center", "scale", "up"];
+/// The options that choose the faces of the mesh and their order, and its place, scale and axes.
+const COMMON: [&str; 6] = ["object", "part", "file_order", "center", "scale", "up"];
 
 /// Reads the model. Tells the compiler on which files the expansion depends.
 fn read(arguments: &Arguments, expansion: &mut Expansion) -> Result<Model, String> {
@@ -37,6 +37,7 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
         z_up,
         part: arguments.text("part")?,
         object: arguments.text("object")?,
+        file_order: arguments.has("file_order"),
     })
 }
 
