@@ -162,11 +162,25 @@ impl Transform {
     /// Transforms a point, rounded to nearest (half up); saturates.
     #[must_use]
     pub fn point(&self, point: Vec3) -> Vec3 {
+        Vec3::from_bits(self.coordinates([0, 1, 2], point))
+    }
+
+    /// The z coordinate of [`point`](Self::point).
+    #[inline]
+    pub(crate) fn z(&self, point: Vec3) -> Scalar {
+        let [z] = self.coordinates([2], point);
+        Scalar::from_bits(z)
+    }
+
+    /// Some coordinates of [`point`](Self::point), in bits.
+    #[inline]
+    fn coordinates<const N: usize>(&self, axes: [usize; N], point: Vec3) -> [i32; N] {
         let exp = self.linear_exp;
         // The left shift from the units of the translation to the units of a product of the matrix and a point.
         let up = 16 + exp - self.translation_exp;
         if !(1..=40).contains(&exp) || up > 30 {
-            return self.far_point(point);
+            let far = self.far_point(point).to_bits();
+            return axes.map(|axis| far.get(axis).copied().unwrap_or_default());
         }
         // Bits that are shifted out are worth less than a unit of the products. They cannot change the result, because
         // the sum is rounded down at the end.
@@ -179,7 +193,11 @@ impl Transform {
             block::saturated(sum >> exp)
         };
         let [i, j, k] = rows;
-        Vec3::from_bits([number(i, x), number(j, y), number(k, z)])
+        axes.map(|axis| match axis {
+            0 => number(i, x),
+            1 => number(j, y),
+            _ => number(k, z),
+        })
     }
 
     /// Like [`point`](Self::point), for numbers that do not fit into 64 bits. These numbers are rounded to 61 bits

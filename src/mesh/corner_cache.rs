@@ -19,13 +19,14 @@ pub(crate) struct CornerCache {
 impl CornerCache {
     #[inline]
     pub(crate) const fn new() -> Self {
+        // A corner with key 1 always has slot 1, so key 1 marks the other slots as empty, and key 0 marks slot 1. Zeros
+        // would be cleared by a routine that stores word by word, so even the numbers are not zero.
         let cache = Self {
-            keys: [const { Cell::new(0) }; SLOTS],
-            numbers: [const { Cell::new(0) }; SLOTS],
+            keys: [const { Cell::new(1) }; SLOTS],
+            numbers: [const { Cell::new(1) }; SLOTS],
         };
-        // A corner with key 1 never has slot 0, so key 1 marks slot 0 as empty. Key 0 marks the other slots as empty.
-        let [first, ..] = &cache.keys;
-        first.replace(1);
+        let [_, second, ..] = &cache.keys;
+        second.replace(0);
         cache
     }
 

@@ -322,8 +322,7 @@ impl Corner<'_> {
     #[must_use]
     #[inline]
     pub fn distance(&self) -> Scalar {
-        let place = self.primitive.placement.view.point(self.position());
-        -place.z
+        -self.primitive.placement.view.z(self.position())
     }
 
     /// The texture coordinate; (0, 0) if the mesh has none at this corner.

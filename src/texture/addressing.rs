@@ -15,7 +15,7 @@ pub(crate) fn texels(bits: [i32; 3], origin: i32, log2: u32) -> [i32; 3] {
     let [a, b, c] = bits.map(|bits| bits.wrapping_sub(origin));
     let up = log2.wrapping_sub(FINER);
     // Most coordinates need no rounding and are far from the ends of the range.
-    if up < ((a | b | c) as u32).leading_zeros() {
+    if up < (a | b | c).leading_zeros() {
         return [a << (up & 31), b << (up & 31), c << (up & 31)];
     }
     bits.map(|bits| {

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use crate::Triangle;
 
-/// The number of vertices that a draw call keeps. Vertices with indices this far apart replace each other.
+/// The number of vertices that a draw call keeps in a build for size; others keep twice as many. Vertices with indices
+/// this far apart replace each other.
 const SLOTS: u32 = 64;
 
 /// The number of new vertices for which a vertex is expected to be kept. Less than [`SLOTS`], because vertices that
