@@ -1,5 +1,6 @@
 //! Vertex projection, from model space to the screen: one matrix per draw call, one reciprocal per vertex.
 
+use core::hint::black_box;
 use core::marker::PhantomData;
 
 use crate::math::{AffineRow, Transform, compose};
@@ -292,9 +293,24 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// so that the caller's position stays in registers.
     #[inline(never)]
     fn each_outcode(&self, position: ClipPosition) -> u8 {
-        (0..6).fold(0, |outcode, plane| {
-            outcode | u8::from(self.is_outside(&position, plane)) << plane
-        })
+        if cfg!(for_size) {
+            return (0..6).fold(0, |outcode, plane| {
+                outcode | u8::from(self.is_outside(&position, plane)) << plane
+            });
+        }
+        // A loop would choose the coordinate and the bound of each plane. (If the compiler knew that only `ends` are
+        // read, it would pass these and not `self`, in registers that the caller needs.)
+        let [nearest, farthest] = black_box(self).ends;
+        let [t, x, y] = position;
+        let [w_x, w_y] = [1, 2].map(|axis| self.w(t, axis) + SIDE_TOLERANCE);
+        let bit = |distance: i64, plane: u32| (upper(distance).cast_unsigned() >> 31) << plane;
+        let outcode = bit(nearest + t, 0)
+            | bit(farthest - t, 1)
+            | bit(w_x + x, 2)
+            | bit(w_x - x, 3)
+            | bit(w_y + y, 4)
+            | bit(w_y - y, 5);
+        outcode as u8
     }
 
     /// Projects a position to the screen: `inside` if it is given, otherwise the position at `index`. `inside` is a
