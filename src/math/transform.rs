@@ -98,11 +98,12 @@ impl Transform {
         is_mirror: false,
     };
 
-    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once.
+    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once. The entries
+    /// of a row of the matrix must have the same exponent.
     fn from_block_floats(numbers: &[BlockFloat; 12]) -> Self {
         let (linear, translation) = numbers.split_at(9);
         let mut t = Self::IDENTITY;
-        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear);
+        t.linear_exp = block::normalize_rows(&mut t.linear, linear);
         t.translation_exp = block::normalize(&mut t.translation, translation);
         t
     }
@@ -116,7 +117,7 @@ impl Transform {
         for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
             *number = BlockFloat::new(*value, exp);
         }
-        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), &numbers);
+        t.linear_exp = block::normalize_rows(&mut t.linear, &numbers);
         t
     }
 
