@@ -4,7 +4,7 @@ use core::hint::black_box;
 use core::marker::PhantomData;
 
 use crate::math::{AffineRow, Transform, compose};
-use crate::mesh::{Bounds, Index, Positions, StoredPosition};
+use crate::mesh::{Bounds, Index, List, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
 use crate::num::reciprocal;
 use crate::num::wide::{self, SHIFTS_LATER, product};
@@ -39,7 +39,7 @@ const fn upper(value: i64) -> i32 {
 /// The transform from model space to the screen, computed once per draw call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projector<'m, K> {
-    positions: Positions<'m>,
+    positions: List<'m>,
     rows: [wide::Row; 3],
     offsets: [i64; 3],
     /// Fraction bits of each clip coordinate. In perspective, the three numbers are equal, because x and y are divided
@@ -175,7 +175,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             [0, block::shift(most, fraction - 19)]
         };
         Self {
-            positions,
+            positions: positions.list(),
             rows: rows.map(wide::Row::new),
             offsets,
             fractions,
@@ -187,7 +187,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 
     /// The same transform for other positions.
     pub(super) fn with_positions<'p>(&self, positions: Positions<'p>) -> Projector<'p, K> {
-        Projector { positions, ..*self }
+        Projector {
+            positions: positions.list(),
+            ..*self
+        }
     }
 
     /// The clip position of a position of model space. For an index beyond the positions, which no checked list
