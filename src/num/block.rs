@@ -187,7 +187,7 @@ pub(crate) fn normalize_rows(mantissas: &mut [[i32; 3]; 3], numbers: &[BlockFloa
             ((twice >> 1) + (twice & 1)).clamp(-limit, limit)
         };
         *to = if common == MIN_EXP || !(1..64).contains(&down) {
-            far_row(row, common)
+            row.map(|number| far_mantissa(number, common))
         } else if down <= 32 {
             row.map(|number| round((number.value >> ((down - 1) & 31)) as i32))
         } else {
@@ -197,11 +197,11 @@ pub(crate) fn normalize_rows(mantissas: &mut [[i32; 3]; 3], numbers: &[BlockFloa
     common
 }
 
-/// Rounds three numbers to mantissas with an exponent that may be far from theirs.
+/// Rounds a number to a mantissa with an exponent that may be far from its own.
 #[cold]
 #[inline(never)]
-fn far_row(row: &[BlockFloat; 3], exp: i32) -> [i32; 3] {
-    row.map(|number| number.at(exp).clamp(-LIMIT, LIMIT) as i32)
+fn far_mantissa(number: BlockFloat, exp: i32) -> i32 {
+    number.at(exp).clamp(-LIMIT, LIMIT) as i32
 }
 
 /// Saturates to 32 bits.
