@@ -1,5 +1,6 @@
 //! The canvas: a frame, or a band of a frame, in memory of the caller.
 
+use core::hint::black_box;
 use core::marker::PhantomData;
 use core::ops::Range;
 
@@ -12,6 +13,7 @@ use super::depth::{DepthBuffer, LinearDepth, NoDepth};
 use super::storage::{Cell, Cells, Memory, Native, Storage};
 use crate::error::Error;
 use crate::error::{check_count, check_length, ok};
+use crate::num::wide::STORES_ANYWHERE;
 use crate::view::Viewport;
 
 /// Largest width and height of a frame, in pixels.
@@ -368,7 +370,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// embedded-graphics' [`DrawTarget::clear`] does the same.
     pub fn clear(&mut self, color: C) {
-        self.cells.fill(O::store(color));
+        fill(self.cells, O::store(color));
         self.clear_depth();
     }
 
@@ -388,7 +390,7 @@ impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn clear_depth(&mut self) {
-        self.depths.fill(0);
+        fill(self.depths, 0);
     }
 
     /// The stored depth of a pixel, as the depth buffer encodes it; `None` if the pixel is outside this canvas, or if
@@ -451,6 +453,24 @@ impl<C, O: Storage<C>, D> Dimensions for Canvas<'_, C, O, D> {
             Size::new(self.width, self.row_count()),
         )
     }
+}
+
+/// Fills pixels. For a 16-bit pixel, [`slice::fill`] stores each pixel by itself, or calls a routine that takes four
+/// instructions for a word. Here, a store has a word, and a turn of the loop has 16 pixels.
+#[cfg_attr(not(for_size), inline(never))] // a copy takes 300 bytes
+fn fill<T: Copy>(pixels: &mut [T], pixel: T) {
+    if cfg!(for_size) || !STORES_ANYWHERE {
+        return pixels.fill(pixel);
+    }
+    // If the compiler knew that the pixels are alike, it would store them one by one.
+    let four = black_box([pixel; 4]);
+    let (blocks, rest) = pixels.as_chunks_mut::<16>();
+    for block in blocks {
+        for quarter in block.as_chunks_mut::<4>().0 {
+            *quarter = four;
+        }
+    }
+    rest.fill(pixel);
 }
 
 pub(crate) const fn check_size(width: u32, height: u32) -> Result<(), Error> {

@@ -288,7 +288,7 @@
 //! | nothing, and [`submitted`](crate::Drawn::submitted) is 0 | the mesh has no faces. For lines: if [`missing.edges`](crate::mesh::Missing::edges) is true, the mesh has no edges; add them with [`with_edges`](crate::Mesh::with_edges), or draw an [`outline`](crate::Mesh::outline) |
 //! | nothing, and all triangles are [`culled`](crate::Drawn::culled) | their corners are in clockwise order: see [Mesh](#mesh) |
 //! | nothing, and all triangles are [`outside`](crate::Drawn::outside) the view | the mesh is behind the camera, nearer than the near plane, beyond the far plane, or beside the picture. [`mvp.model_view().point(p)`](crate::Mvp::model_view) is a point in eye space, where a visible z lies between −near and −far. [`Viewport::project`](crate::Viewport::project) is its position on the screen, which may be outside the picture |
-//! | nothing, and some triangles are culled and the others outside | the mesh is just beside the picture; or its triangles are smaller than a pixel |
+//! | nothing, and some triangles are culled and the others outside | the mesh is just beside the picture, and its [bounds](crate::Mesh::with_bounds) are not known; or its triangles are smaller than a pixel |
 //! | nothing, although triangles are drawn | the depth buffer still has the depths of the last frame: call `clear` before each frame |
 //! | the inside of objects | the corners of triangles are in clockwise order: see [Mesh](#mesh) |
 //! | one color in place of a texture or of vertex colors | [`missing`](crate::Drawn::missing): the mesh lacks texture coordinates or colors |

@@ -65,6 +65,12 @@ impl AffineRow {
         for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
             *product = BlockFloat::new(dot(&self.row, &[x, y, z]), self.exp + other.linear_exp);
         }
+        self.offset_after(other)
+    }
+
+    /// The offset of the row that applies `other` first and then this row.
+    #[inline]
+    fn offset_after(&self, other: &Transform) -> BlockFloat {
         // Terms that may cancel are added before the sum is rounded.
         let [a, b] = self.offset;
         BlockFloat::new(
@@ -98,11 +104,12 @@ impl Transform {
         is_mirror: false,
     };
 
-    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once.
+    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once. The entries
+    /// of a row of the matrix must have the same exponent.
     fn from_block_floats(numbers: &[BlockFloat; 12]) -> Self {
         let (linear, translation) = numbers.split_at(9);
         let mut t = Self::IDENTITY;
-        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear);
+        t.linear_exp = block::normalize_rows(&mut t.linear, linear);
         t.translation_exp = block::normalize(&mut t.translation, translation);
         t
     }
@@ -116,7 +123,7 @@ impl Transform {
         for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
             *number = BlockFloat::new(*value, exp);
         }
-        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), &numbers);
+        t.linear_exp = block::normalize_rows(&mut t.linear, &numbers);
         t
     }
 
@@ -157,6 +164,23 @@ impl Transform {
         let mut t = Self::from_linear(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 16);
         t.is_mirror = is_mirror;
         t
+    }
+
+    /// Whether the matrix is that of a translation, as the first or the last factor of most models is. Multiplied by it,
+    /// another matrix keeps its bits.
+    #[inline]
+    fn only_moves(&self) -> bool {
+        const ONE: i32 = 1 << 29;
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.linear;
+        a == ONE && e == ONE && i == ONE && (b | c | d | f | g | h) == 0 && self.linear_exp == 29
+    }
+
+    /// This matrix, with the translation of the transform that applies `other` first and then `rows`.
+    #[inline(never)]
+    fn moved_to(mut self, rows: &[AffineRow; 3], other: &Self) -> Self {
+        let offsets = rows.each_ref().map(|row| row.offset_after(other));
+        self.translation_exp = block::normalize(&mut self.translation, &offsets);
+        self
     }
 
     /// Transforms a point, rounded to nearest (half up); saturates.
@@ -291,8 +315,17 @@ impl Mul for Transform {
             offset: [moved, 1],
             offset_exp: self.translation_exp,
         };
+        let rows = [row(i, x), row(j, y), row(k, z)];
         // The product is changed in place, because a new struct would be a second copy in flash.
-        let mut product = compose(&[row(i, x), row(j, y), row(k, z)], &other);
+        let mut product = if cfg!(for_size) {
+            compose(&rows, &other)
+        } else if self.only_moves() {
+            other.moved_to(&rows, &other)
+        } else if other.only_moves() {
+            self.moved_to(&rows, &other)
+        } else {
+            compose(&rows, &other)
+        };
         product.is_mirror = self.is_mirror != other.is_mirror;
         product
     }

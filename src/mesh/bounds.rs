@@ -5,6 +5,7 @@ use crate::math::Vec3;
 
 /// A box with sides parallel to the axes of model space, such as the smallest box of this kind around a mesh.
 ///
+/// A mesh [keeps](Mesh::with_bounds) its box, so that drawing a mesh out of view takes no longer than a test.
 /// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the canvas,
 /// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) tells which pixels these may be.
 /// If the box is stored in a `static`, the compiler computes it:
@@ -55,6 +56,31 @@ impl Bounds {
 }
 
 impl Mesh<'_> {
+    /// The mesh with a box around all of its positions. If the box is out of view, a draw call ends after one test,
+    /// however large the mesh is.
+    ///
+    /// Meshes of [`shape!`](crate::shape), [`include_mesh!`](crate::include_mesh) and [`checked`](Self::checked) have
+    /// their [`bounds`](Self::bounds) from the start. For positions that are made while the program runs, such as
+    /// [keyframes](super::Keyframes), give a box around all positions that they can have. A position outside the box may
+    /// not be drawn.
+    ///
+    /// In a program that is optimized for size (`opt-level` "s" or "z"), draw calls do not test boxes;
+    /// [`is_in_view`](crate::Canvas::is_in_view) does.
+    ///
+    /// ```
+    /// use fixel::mesh::Bounds;
+    /// use fixel::prelude::*;
+    /// let flag = [vec3!(0, 0, 0), vec3!(1, 0, 0.1), vec3!(1, 1, -0.1)]; // waves by up to 0.2
+    /// let mesh = Mesh::new(&flag, &[[0, 1, 2]])?
+    ///     .with_bounds(Bounds::new(vec3!(0, 0, -0.2), vec3!(1, 1, 0.2)));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn with_bounds(self, bounds: Bounds) -> Self {
+        let positions = self.positions.with_bounds(bounds);
+        Self { positions, ..self }
+    }
+
     /// Finds the smallest box around all positions, with sides parallel to the axes; if there are no positions, the box
     /// contains only the origin.
     #[must_use]

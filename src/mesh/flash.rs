@@ -202,13 +202,14 @@ macro_rules! __mesh {
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
         static UVS: [$crate::Vec2; $counts.uvs] = first(&$room.uvs);
         static NORMALS: [$crate::Vec3; $counts.normals] = first(&$room.normals);
-        static MESH: $crate::Mesh<'static> = $crate::Mesh::of_lists(
+        #[allow(long_running_const_eval)]
+        static MESH: $crate::Mesh<'static> = $crate::Mesh::checked(Ok($crate::Mesh::of_lists(
             $positions,
             (&FACES, &EDGES),
             (&UVS, &[]),
             (&NORMALS, &[]),
             (&[], &[]),
-        );
+        )));
         MESH
     }};
 }

@@ -147,14 +147,16 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Unwraps a mesh in a `const` or `static`, where an error stops compilation.
+    /// Unwraps a mesh in a `const` or `static`, where an error stops compilation. The mesh [keeps](Self::with_bounds)
+    /// its bounds.
     ///
     /// # Panics
     ///
     /// If `result` is an error. Call `checked` only at compile time.
     #[must_use]
     pub const fn checked(result: Result<Self, Error>) -> Self {
-        message::checked(result, "mesh")
+        let mesh = message::checked(result, "mesh");
+        mesh.with_bounds(mesh.bounds())
     }
 
     /// Adds edges, so that [`edges`](Self::edges) can draw them.

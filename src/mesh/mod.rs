@@ -73,7 +73,7 @@ pub use part::{Material, Part, TextureAlpha};
 pub use placement::Missing;
 pub(crate) use placement::Placement;
 pub use positions::Positions;
-pub(crate) use positions::StoredPosition;
+pub(crate) use positions::{List, StoredPosition};
 pub use primitive::{Corner, Primitive};
 pub use shapes::Shape;
 pub use sprites::Sprites;

@@ -2,6 +2,7 @@
 
 use core::hash::{Hash, Hasher};
 
+use super::Bounds;
 use super::index::Index;
 use crate::error::{Error, check_count, check_length, ok};
 use crate::math::Vec3;
@@ -23,16 +24,38 @@ use crate::math::Vec3;
 #[derive(Clone, Copy, Debug)]
 pub struct Positions<'a> {
     list: List<'a>,
+    /// A box around all positions, if it is known.
+    #[cfg(not(for_size))]
+    bounds: Option<Bounds>,
 }
 
+/// The positions alone.
 #[derive(Clone, Copy, Debug)]
-enum List<'a> {
+pub(crate) enum List<'a> {
     Long(&'a [Vec3]),
     Short {
         positions: &'a [[i16; 3]],
         /// The left shift that turns a component into the bits of a `Scalar`.
         up: u32,
     },
+}
+
+impl<'a> List<'a> {
+    /// The position at an index, in its stored format; the origin if the index is out of range, which cannot happen
+    /// with a checked list.
+    #[inline]
+    pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {
+        let index = usize::from(index);
+        match *self {
+            Self::Long(positions) => {
+                StoredPosition::Long(positions.get(index).unwrap_or(&Vec3::ZERO))
+            }
+            Self::Short { positions, up } => StoredPosition::Short {
+                position: *positions.get(index).unwrap_or(&[0; 3]),
+                up,
+            },
+        }
+    }
 }
 
 /// Fraction bits of a `Scalar`.
@@ -43,9 +66,34 @@ impl<'a> Positions<'a> {
     #[doc(hidden)]
     #[must_use]
     pub const fn long(positions: &'a [Vec3]) -> Self {
+        Self::of(List::Long(positions))
+    }
+
+    const fn of(list: List<'a>) -> Self {
         Self {
-            list: List::Long(positions),
+            list,
+            #[cfg(not(for_size))]
+            bounds: None,
         }
+    }
+
+    /// These positions with a box around them, which is kept unless the program is optimized for size.
+    #[cfg_attr(for_size, allow(unused_mut, unused_variables))]
+    pub(super) const fn with_bounds(mut self, bounds: Bounds) -> Self {
+        #[cfg(not(for_size))]
+        {
+            self.bounds = Some(bounds);
+        }
+        self
+    }
+
+    /// The box around all positions, if it is known; never in a program that is optimized for size.
+    #[inline]
+    pub(crate) const fn known_bounds(&self) -> Option<&Bounds> {
+        #[cfg(for_size)]
+        return None;
+        #[cfg(not(for_size))]
+        self.bounds.as_ref()
     }
 
     /// A single point.
@@ -62,9 +110,7 @@ impl<'a> Positions<'a> {
             [0, FRACTION as usize]
         ));
         let up = FRACTION - fraction;
-        Ok(Self {
-            list: List::Short { positions, up },
-        })
+        Ok(Self::of(List::Short { positions, up }))
     }
 
     /// The number of positions.
@@ -99,20 +145,10 @@ impl<'a> Positions<'a> {
         (0..all.len()).map(move |index| all.get(index).unwrap_or_default())
     }
 
-    /// The position at an index, in its stored format; the origin if the index is out of range, which cannot happen
-    /// with a checked list.
+    /// The positions alone.
     #[inline]
-    pub(crate) fn stored(&self, index: Index) -> StoredPosition<'a> {
-        let index = usize::from(index);
-        match self.list {
-            List::Long(positions) => {
-                StoredPosition::Long(positions.get(index).unwrap_or(&Vec3::ZERO))
-            }
-            List::Short { positions, up } => StoredPosition::Short {
-                position: *positions.get(index).unwrap_or(&[0; 3]),
-                up,
-            },
-        }
+    pub(crate) const fn list(self) -> List<'a> {
+        self.list
     }
 
     /// The bits of the position at an index in range. The function makes few calls, because calls take much of the
@@ -130,7 +166,7 @@ impl<'a> Positions<'a> {
     /// The position at an index; the origin if the index is out of range, which cannot happen with a checked list.
     #[inline(never)]
     pub(crate) fn at(&self, index: Index) -> Vec3 {
-        Vec3::from_bits(self.stored(index).to_bits())
+        Vec3::from_bits(self.list.stored(index).to_bits())
     }
 
     /// See [`Mesh::quantized_positions`](crate::Mesh::quantized_positions).

@@ -15,11 +15,13 @@ pub(crate) const MAX_EXP: i32 = 62;
 
 const LIMIT: i64 = (1 << BITS) - 1;
 
-// The functions below stay out of line and take slices: they run a few dozen times per draw call,
+// In a build for size, the functions below stay out of line and take slices: they run a few dozen times per draw call,
 // and copies of them would be most of a small program's code.
 
 /// Returns `value` · 2^`shift`, rounded to nearest (half up); saturates.
-#[inline(never)]
+#[cfg_attr(for_size, inline(never))]
+#[cfg_attr(not(for_size), inline(always))]
+#[allow(clippy::inline_always)] // a third of a draw call's set-up would be calls
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
         // One bit is left for the sign.
@@ -39,7 +41,9 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
 }
 
 /// Returns the number of leading zeros of the magnitude.
-#[inline(never)]
+#[cfg_attr(for_size, inline(never))]
+#[cfg_attr(not(for_size), inline(always))]
+#[allow(clippy::inline_always)] // as above
 const fn leading_zeros(value: i64) -> i32 {
     value.unsigned_abs().leading_zeros().cast_signed()
 }
@@ -79,9 +83,13 @@ impl BlockFloat {
     /// Rounds to a mantissa and its exponent.
     #[inline(never)]
     pub(crate) fn rounded(self) -> (i32, i32) {
-        let mut mantissa = [0];
-        let exp = normalize(&mut mantissa, &[self]);
-        (mantissa[0], exp)
+        if cfg!(for_size) {
+            let mut mantissa = [0];
+            let exp = normalize(&mut mantissa, &[self]);
+            return (mantissa[0], exp);
+        }
+        let exp = self.finest(BITS).clamp(MIN_EXP, MAX_EXP);
+        (self.at(exp).clamp(-LIMIT, LIMIT) as i32, exp)
     }
 
     #[inline]
@@ -100,6 +108,10 @@ impl BlockFloat {
     /// Rounds both numbers to 61 bits and adds them.
     #[inline(never)]
     pub(crate) fn plus(self, other: Self) -> Self {
+        // A sum with a zero needs no common exponent. Most translations of a product of transforms are such sums.
+        if !cfg!(for_size) && other.value == 0 && leading_zeros(self.value) > 2 {
+            return self;
+        }
         let exp = self.finest(61).min(other.finest(61));
         Self::new(self.at(exp) + other.at(exp), exp)
     }
@@ -146,6 +158,50 @@ pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
         *mantissa = number.at(exp).clamp(-LIMIT, LIMIT) as i32;
     }
     exp
+}
+
+/// Rounds the rows of a matrix, as [`normalize`] does. The numbers of a row must have the same exponent.
+#[cfg_attr(for_size, inline)]
+#[cfg_attr(not(for_size), inline(never))]
+pub(crate) fn normalize_rows(mantissas: &mut [[i32; 3]; 3], numbers: &[BlockFloat]) -> i32 {
+    if cfg!(for_size) {
+        return normalize(mantissas.as_flattened_mut(), numbers);
+    }
+    let (rows, _) = numbers.as_chunks::<3>();
+    let mut common = MAX_EXP;
+    for row in rows {
+        // These bits have as many leading zeros as the greatest magnitude of the row.
+        let [x, y, z] = row.map(|number| number.value.unsigned_abs());
+        let bits = x | y | z;
+        if bits != 0 {
+            let up = bits.leading_zeros().cast_signed() + BITS - 64;
+            common = common.min(row[0].exp.saturating_add(up));
+        }
+    }
+    let common = common.max(MIN_EXP);
+    for (to, row) in mantissas.iter_mut().zip(rows) {
+        let down = row[0].exp.saturating_sub(common);
+        // Above the least exponent, every mantissa has at most 30 bits. One more bit, for rounding, fits into 32 bits.
+        let round = |twice: i32| {
+            let limit = LIMIT as i32;
+            ((twice >> 1) + (twice & 1)).clamp(-limit, limit)
+        };
+        *to = if common == MIN_EXP || !(1..64).contains(&down) {
+            row.map(|number| far_mantissa(number, common))
+        } else if down <= 32 {
+            row.map(|number| round((number.value >> ((down - 1) & 31)) as i32))
+        } else {
+            row.map(|number| round((number.value >> 32) as i32 >> ((down - 33) & 31)))
+        };
+    }
+    common
+}
+
+/// Rounds a number to a mantissa with an exponent that may be far from its own.
+#[cold]
+#[inline(never)]
+fn far_mantissa(number: BlockFloat, exp: i32) -> i32 {
+    number.at(exp).clamp(-LIMIT, LIMIT) as i32
 }
 
 /// Saturates to 32 bits.
@@ -229,6 +285,56 @@ mod tests {
             }
             if e < MAX_EXP {
                 assert!(m.iter().any(|m| m.unsigned_abs() >= 1 << 29));
+            }
+        });
+    }
+
+    /// Tests magnitudes next to powers of two, where rounding carries, zeros, and exponents at both ends.
+    #[test]
+    fn rows_are_normalized_as_their_numbers_are() {
+        cases(1 << 14, |random| {
+            let spread = [0, 3, 40, 200][random.random_range(0..4)];
+            let middle = random.random_range(-200..200);
+            let exps = [(); 3].map(|()| middle + random.random_range(-spread..=spread));
+            let numbers: [BlockFloat; 9] = core::array::from_fn(|at| {
+                let value = match random.random_range(0..5) {
+                    0 => 0,
+                    1 => {
+                        let edge = 1_i64 << random.random_range(0..63);
+                        let beside = edge + random.random_range(-2..=2) * ((edge >> 31).max(2) / 2);
+                        if random.random() { beside } else { -beside }
+                    }
+                    _ => random.random::<i64>() >> random.random_range(0..64),
+                };
+                BlockFloat::new(value, exps[at / 3])
+            });
+            let (mut rows, mut one_by_one) = ([[0; 3]; 3], [0; 9]);
+            let exp = normalize_rows(&mut rows, &numbers);
+            let expected = normalize(&mut one_by_one, &numbers);
+            assert_eq!(
+                (rows.as_flattened(), exp),
+                (&one_by_one[..], expected),
+                "{numbers:?}"
+            );
+        });
+    }
+
+    /// A sum with a zero is the other number, rounded to 61 bits. Some numbers lie just below the middle between two
+    /// mantissas, and at the middle once they are rounded.
+    #[test]
+    fn adding_zero_rounds_to_61_bits() {
+        cases(1 << 12, |random| {
+            let value = if random.random() {
+                random.random_range(1_i64 << 29..1 << 30) << 33 | ((1 << 32) - 1)
+            } else {
+                random.random::<i64>() >> random.random_range(0..64)
+            };
+            let number = BlockFloat::new(value, random.random_range(-20..70));
+            let exp = number.finest(61);
+            let expected = BlockFloat::new(number.at(exp), exp).rounded();
+            let zero = BlockFloat::new(0, random.random_range(-200..200));
+            for sum in [number.plus(zero), zero.plus(number)] {
+                assert_eq!(sum.rounded(), expected, "{number:?}");
             }
         });
     }

@@ -56,7 +56,12 @@ pub(super) struct Call<'m, K> {
     /// Whether depths are [biased](crate::canvas::Biased): then the edges of an outline need a slope.
     pub(super) is_biased: bool,
     pub(super) scissor: Scissor,
+    /// See [`is_outside`](Self::is_outside).
+    pub(super) has_box_outside: bool,
 }
+
+/// How many pixels lines may reach beyond their ends: half of their greatest width, and half a pixel if they are smooth.
+const REACH: i32 = 33;
 
 impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
@@ -68,14 +73,32 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     ) -> Self {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
+        let projector = Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport);
+        // The box is tested against all rows of the frame, so that a band counts like the frame.
+        let has_box_outside = mesh.positions().known_bounds().is_some_and(|bounds| {
+            let Scissor { columns, rows } = screen.scissor(&(0..screen.frame.height));
+            let reached = Scissor {
+                columns: columns.start - REACH..columns.end + REACH,
+                rows: rows.start - REACH..rows.end + REACH,
+            };
+            projector.misses(bounds, &reached)
+        });
         Self {
             slots: Slots::new(mesh.faces()),
             is_biased: screen.is_biased,
             scissor: screen.scissor(rows),
-            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
+            projector,
             cull: screen.cull.mirrored(view.is_mirror),
             placement: Placement::new(mesh, mvp.model_of(), view),
+            has_box_outside,
         }
+    }
+
+    /// Whether the mesh is certain to have no pixel in the frame, because the box around it is known and out of view.
+    #[inline]
+    pub(super) const fn is_outside(&self) -> bool {
+        // No box is known in a program that is optimized for size. Without the constant, this would be tested there.
+        !cfg!(for_size) && self.has_box_outside
     }
 
     /// The rasterizer of this call, which draws primitives once they are on the screen.

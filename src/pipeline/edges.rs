@@ -281,6 +281,7 @@ impl<'m> EdgesOf<'m> {
         mut each: impl FnMut(Indices, [&ClippedVertex; 2], bool, u16),
     ) -> usize {
         match self.outline {
+            _ if call.is_outside() => self.count(),
             None => {
                 let mut entries = cache::empty();
                 let mut vertices = <VertexCache<'_>>::new(&mut entries, call.slots);

@@ -585,6 +585,10 @@ impl Listed for &Mesh<'_> {
 
     #[inline]
     fn fill<K: ProjectionKind>(&self, call: &Call<'_, K>, filling: &mut Filling<'_>) {
+        if call.is_outside() {
+            filling.outside = self.faces().len() as u32;
+            return;
+        }
         let mut entries = cache::empty();
         let mut vertices = VertexCache::new(&mut entries, call.slots);
         for (face, corners) in self.faces().iter().enumerate() {

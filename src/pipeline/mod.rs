@@ -50,6 +50,8 @@ use thing::Target;
 /// | outside | the mesh is behind the eye, nearer than the near plane, beyond the far plane or beside the picture |
 /// | drawn | nearer depths hide them (is the depth buffer cleared in each frame?), or they have the background's color |
 ///
+/// If the [bounds](crate::Mesh::with_bounds) of a mesh are known and out of view, then all are outside.
+///
 /// If there were none, then the mesh has no faces. If there were no edges, [`missing`](Self::missing) says so.
 ///
 /// ```

@@ -220,9 +220,10 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// than [one pixel](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these,
     /// enlarge `bounds` by half of their width or size; for smooth lines, by half a pixel more.
     ///
-    /// On a Cortex-M4 the test takes as many instructions as two or three triangles of one pixel, most of them for a
-    /// set-up that every draw call needs before its first vertex. So a mesh that you skip, because it is out of view or
-    /// in another band, costs no more than this test.
+    /// A draw call of a mesh that [keeps its bounds](crate::Mesh::with_bounds) makes the same test for the whole frame, so
+    /// ask only for what the draw call does not know: whether an object of several meshes is in view, or whether a mesh is
+    /// in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel, most of them
+    /// for a set-up that every draw call needs before its first vertex.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

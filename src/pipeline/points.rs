@@ -115,7 +115,7 @@ impl HalfSize {
 fn pixels<K: ProjectionKind>(call: &Call<'_, K>, blitter: &mut dyn Blitter) -> Drawn {
     each_point(
         call,
-        blitter,
+        (blitter, call.is_outside()),
         |_| 0,
         |raster, at, _| raster::point(raster, at, None),
     )
@@ -139,23 +139,24 @@ fn sized_points<K: ProjectionKind>(
             }
         })
     };
-    each_point(call, blitter, half_of, |raster, at, half| {
+    // Large points may reach into the picture from far outside.
+    each_point(call, (blitter, false), half_of, |raster, at, half| {
         raster::sized_point(raster, at, half, is_round);
     })
 }
 
 /// Draws all positions of a mesh that are inside all planes, each by `point`, which receives half the point's size in
-/// units of 1/256 pixel.
+/// units of 1/256 pixel. Draws none if all points are known to be outside the view.
 #[inline]
 fn each_point<K: ProjectionKind>(
     call: &Call<'_, K>,
-    blitter: &mut dyn Blitter,
+    (blitter, is_outside): (&mut dyn Blitter, bool),
     half_of: impl Fn(&ScreenVertex) -> i32,
     point: impl Fn(&mut Rasterizer<'_>, &ScreenVertex, i32),
 ) -> Drawn {
     let count = call.placement.mesh.positions().len();
     let mut raster = call.rasterizer(blitter);
-    for index in 0..count as u32 {
+    for index in 0..if is_outside { 0 } else { count as u32 } {
         // A mesh has at most 65,536 positions.
         let index = index as Index;
         let mut at = ScreenVertex::UNSET;

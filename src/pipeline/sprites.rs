@@ -335,6 +335,7 @@ impl<'s, K: ProjectionKind, A: Turn> Quads<'s, K, A> {
                 placement: Placement::new(&mesh, &self.pose, Transform::IDENTITY),
                 cull: Cull::Nothing,
                 scissor: scissor.clone(),
+                has_box_outside: false,
             };
             vertices.forget(4 * BATCH);
             drawn += run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);

@@ -50,6 +50,13 @@ impl<C> Thing<C> for &Mesh<'_> {
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
         let mut call = Call::new(to.region, self, mvp);
+        if call.is_outside() {
+            let submitted = self.faces().len() as u32;
+            return Drawn {
+                submitted,
+                ..Drawn::default()
+            };
+        }
         call.placement.corners = to.corners;
         run::draw(&call, to.blitter)
     }

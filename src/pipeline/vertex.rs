@@ -1,12 +1,13 @@
 //! Vertex projection, from model space to the screen: one matrix per draw call, one reciprocal per vertex.
 
+use core::hint::black_box;
 use core::marker::PhantomData;
 
 use crate::math::{AffineRow, Transform, compose};
-use crate::mesh::{Bounds, Index, Positions, StoredPosition};
+use crate::mesh::{Bounds, Index, List, Positions, StoredPosition};
 use crate::num::block::{self, BlockFloat};
+use crate::num::reciprocal;
 use crate::num::wide::{self, SHIFTS_LATER, product};
-use crate::num::{Scalar, reciprocal};
 use crate::raster::{DepthShift, LEAST_WEIGHT, MOST_WEIGHT, Scissor, ScreenVertex};
 use crate::view::{Projection, ProjectionKind, ProjectionRow, Viewport};
 
@@ -38,7 +39,7 @@ const fn upper(value: i64) -> i32 {
 /// The transform from model space to the screen, computed once per draw call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projector<'m, K> {
-    positions: Positions<'m>,
+    positions: List<'m>,
     rows: [wide::Row; 3],
     offsets: [i64; 3],
     /// Fraction bits of each clip coordinate. In perspective, the three numbers are equal, because x and y are divided
@@ -52,10 +53,11 @@ pub(crate) struct Projector<'m, K> {
     kind: PhantomData<K>,
 }
 
-/// `row` times `unit` and `size`. `size` counts units of 2^-12, because the guard band is 2^12 pixels wide.
+/// `row` times `unit`, a mantissa with its exponent, and `size`. `size` counts units of 2^-12, because the guard band is
+/// 2^12 pixels wide.
 #[inline(never)]
-fn scaled(row: &ProjectionRow, unit: &BlockFloat, size: i32) -> AffineRow {
-    let (factor, exp) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
+fn scaled(row: &ProjectionRow, (m, exp): (i32, i32), size: i32) -> AffineRow {
+    let (factor, exp) = BlockFloat::new(product(m, size), exp + 12).rounded();
     // A factor has bit 29 set, so mantissas keep their bits and take at most one more.
     let [x, y, z, offset] = row.m;
     let mut linear = [x, y, z];
@@ -101,27 +103,20 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         view: &Transform,
         viewport: &Viewport,
     ) -> Self {
-        let [near, far] = [projection.near, projection.far].map(Scalar::to_bits);
+        let (far, (m, exp)) = (projection.far.to_bits(), projection.of_distance);
         // The row that gives t, and the factor by which x and y are multiplied in addition to the viewport's size.
         let (depth, unit) = if K::PERSPECTIVE {
-            // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
-            // leaves room for rounding below a depth of 65536.
-            let one = BlockFloat::new((1 << 16) + 1, 0).over(BlockFloat::new(near.into(), 0));
-            let (m, exp) = one.rounded();
             let depth = AffineRow {
                 row: [0, 0, -m],
                 exp,
                 offset: [0; 2],
                 offset_exp: 0,
             };
-            (depth, one)
+            (depth, (m, exp))
         } else {
-            // t = (far − distance) / (far − near), slightly below 1 at the near plane. Both terms have the same factor,
-            // so that the far plane keeps its bits, even if the planes are very close together. The factor is even,
-            // because coefficients have 29 bits: if the view does not turn, nothing more is rounded.
-            let length = i64::from(far) - i64::from(near);
-            let part = BlockFloat::new((1 << 16) - 1, 0).over(BlockFloat::new(length, 0));
-            let (m, exp) = part.rounded();
+            // Both terms have the same factor, so that the far plane keeps its bits, even if the planes are very close
+            // together. The factor is even, because coefficients have 29 bits: if the view does not turn, nothing more
+            // is rounded.
             let m = m & !1;
             let depth = AffineRow {
                 row: [0, 0, m],
@@ -129,11 +124,11 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
                 offset: [m, far],
                 offset_exp: exp + 16,
             };
-            (depth, BlockFloat::new(1, 0))
+            (depth, (1 << 29, 29))
         };
         let [width, height] = [viewport.width, viewport.height].map(u32::cast_signed);
         let [x, y] = &projection.rows;
-        let lines = [depth, scaled(x, &unit, width), scaled(y, &unit, -height)];
+        let lines = [depth, scaled(x, unit, width), scaled(y, unit, -height)];
         let (mut rows, mut offsets, mut fractions) = ([[0; 3]; 3], [0; 3], [0; 3]);
         if K::PERSPECTIVE {
             // All rows have one exponent, because x and y are divided by t.
@@ -170,7 +165,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
         let fraction = i32::from(fractions[0]);
         let ends = if K::PERSPECTIVE {
             let least = (1 << 27) + (1 << 11) - 1;
-            let most = unit.times(BlockFloat::new(far.into(), 16));
+            let most = BlockFloat::new(product(m, far), exp + 16);
             [
                 -block::shift(least, fraction - 27),
                 most.at(fraction).min(i64::MAX >> 1),
@@ -180,7 +175,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             [0, block::shift(most, fraction - 19)]
         };
         Self {
-            positions,
+            positions: positions.list(),
             rows: rows.map(wide::Row::new),
             offsets,
             fractions,
@@ -192,7 +187,10 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
 
     /// The same transform for other positions.
     pub(super) fn with_positions<'p>(&self, positions: Positions<'p>) -> Projector<'p, K> {
-        Projector { positions, ..*self }
+        Projector {
+            positions: positions.list(),
+            ..*self
+        }
     }
 
     /// The clip position of a position of model space. For an index beyond the positions, which no checked list
@@ -292,9 +290,24 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
     /// so that the caller's position stays in registers.
     #[inline(never)]
     fn each_outcode(&self, position: ClipPosition) -> u8 {
-        (0..6).fold(0, |outcode, plane| {
-            outcode | u8::from(self.is_outside(&position, plane)) << plane
-        })
+        if cfg!(for_size) {
+            return (0..6).fold(0, |outcode, plane| {
+                outcode | u8::from(self.is_outside(&position, plane)) << plane
+            });
+        }
+        // A loop would choose the coordinate and the bound of each plane. (If the compiler knew that only `ends` are
+        // read, it would pass these and not `self`, in registers that the caller needs.)
+        let [nearest, farthest] = black_box(self).ends;
+        let [t, x, y] = position;
+        let [w_x, w_y] = [1, 2].map(|axis| self.w(t, axis) + SIDE_TOLERANCE);
+        let bit = |distance: i64, plane: u32| (upper(distance).cast_unsigned() >> 31) << plane;
+        let outcode = bit(nearest + t, 0)
+            | bit(farthest - t, 1)
+            | bit(w_x + x, 2)
+            | bit(w_x - x, 3)
+            | bit(w_y + y, 4)
+            | bit(w_y - y, 5);
+        outcode as u8
     }
 
     /// Projects a position to the screen: `inside` if it is given, otherwise the position at `index`. `inside` is a
@@ -446,7 +459,7 @@ mod tests {
     use super::*;
     use crate::random::cases;
     use crate::view::Window;
-    use crate::{Angle, Mesh, Vec3, fx};
+    use crate::{Angle, Mesh, Scalar, Vec3, fx};
     use rand::Rng;
 
     /// A mantissa of a scaled row is rounded once, to nearest.
@@ -454,14 +467,15 @@ mod tests {
     fn scaled_rows_are_nearest() {
         cases(2000, |random| {
             let unit = BlockFloat::new(random.random_range(1..1 << 40), random.random_range(0..40));
+            let unit = unit.rounded();
             let size = random.random_range(1..4096);
             let row = ProjectionRow {
                 m: [(); 4].map(|()| random.random_range(-(1 << 30) + 1..1 << 30)),
                 exp: random.random_range(-20..60),
                 offset_exp: random.random_range(-20..60),
             };
-            let (factor, _) = unit.times(BlockFloat::new(size.into(), 12)).rounded();
-            let AffineRow { row: linear, .. } = scaled(&row, &unit, size);
+            let (factor, _) = BlockFloat::new(product(unit.0, size), 0).rounded();
+            let AffineRow { row: linear, .. } = scaled(&row, unit, size);
             for (m, linear) in row.m.into_iter().zip(linear) {
                 let off = product(m, factor) - (i64::from(linear) << 29);
                 assert!(off.abs() <= 1 << 28, "{m} · {factor}: {linear}");

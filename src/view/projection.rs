@@ -125,6 +125,9 @@ pub struct Projection<K = Perspective> {
     pub(crate) rows: [ProjectionRow; 2],
     pub(crate) near: Scalar,
     pub(crate) far: Scalar,
+    /// The factor of a distance in the first coordinate of [`ClipPosition`](crate::pipeline::ClipPosition), as a
+    /// mantissa and its exponent. It is kept, because a division in each draw call would take long.
+    pub(crate) of_distance: (i32, i32),
     kind: PhantomData<K>,
 }
 
@@ -145,13 +148,29 @@ impl<K: ProjectionKind> Projection<K> {
     /// Makes a projection from three coefficients for x and three for y: the factor, the slope along z, and the offset.
     fn of_axes(axes: [[BlockFloat; 3]; 2], near: Scalar, far: Scalar) -> Self {
         let [[x, x_slope, x_offset], [y, y_slope, y_offset]] = axes;
+        let rows = [
+            ProjectionRow::new([x, BlockFloat::ZERO, x_slope], x_offset),
+            ProjectionRow::new([BlockFloat::ZERO, y, y_slope], y_offset),
+        ];
+        Self::of_rows(rows, near, far)
+    }
+
+    /// Makes a projection from its rows.
+    fn of_rows(rows: [ProjectionRow; 2], near: Scalar, far: Scalar) -> Self {
+        let (nearest, length) = if K::PERSPECTIVE {
+            // t = w / near · (1 + 2^-16), slightly above 1 at the near plane: the greatest 1/t is 1 − 2^-16, which
+            // leaves room for rounding below a depth of 65536.
+            ((1 << 16) + 1, bits(near))
+        } else {
+            // t = (far − distance) / (far − near) · (1 − 2^-16), slightly below 1 at the near plane.
+            ((1 << 16) - 1, bits(far) - bits(near))
+        };
+        let of_distance = BlockFloat::new(nearest, 0).over(BlockFloat::new(length, 0));
         Self {
-            rows: [
-                ProjectionRow::new([x, BlockFloat::ZERO, x_slope], x_offset),
-                ProjectionRow::new([BlockFloat::ZERO, y, y_slope], y_offset),
-            ],
+            rows,
             near,
             far,
+            of_distance: of_distance.rounded(),
             kind: PhantomData,
         }
     }

@@ -67,8 +67,12 @@ fn wrong_winding_and_behind_the_eye_are_told_apart() {
     ] {
         assert_eq!(counts(&BALL, Cull::Back, model), [all, 0, 0, all]);
     }
-    // Beside the picture, but in the guard band, where faces are culled as in the picture.
-    let [_, drawn, culled, outside] = counts(&BALL, Cull::Back, at(20, 0, -2));
+    // Beside the picture, but in the guard band: there, faces are culled as in the picture, unless the mesh has bounds.
+    let beside = at(20, 0, -2);
+    assert_eq!(counts(&BALL, Cull::Back, beside), [all, 0, 0, all]);
+    let positions: Vec<Vec3> = BALL.positions().iter().collect();
+    let bare = Mesh::new(&positions, BALL.faces()).unwrap();
+    let [_, drawn, culled, outside] = counts(&bare, Cull::Back, beside);
     assert!(drawn == 0 && culled > all / 5 && outside > all / 5);
 }
 
@@ -166,7 +170,10 @@ fn counts_agree_between_cullings_bands_and_lists() {
         let faces = list(random, 1..20, |random| {
             [(); 3].map(|()| random.random_range(0..count))
         });
-        let mesh = Mesh::new(&positions, &faces).unwrap();
+        let mut mesh = Mesh::new(&positions, &faces).unwrap();
+        if random.random() {
+            mesh = mesh.with_bounds(mesh.bounds());
+        }
         let mvp = projection() * Transform::rotate_z(Angle::from_bits(random.random()));
         let white = Flat::new(Gray8::WHITE);
         let mut pixels = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
@@ -199,4 +206,144 @@ fn counts_agree_between_cullings_bands_and_lists() {
         culled_in_view > 500 && clipped > 500 && outside > 100,
         "{culled_in_view} {clipped} {outside}"
     );
+}
+
+/// Draws a thing to a part of a frame. Returns the pixels, and what the draw call counts.
+fn drawn<V: fixel::view::ProjectionKind>(
+    thing: impl Thing<Gray8>,
+    viewport: Viewport,
+    mvp: &Mvp<V>,
+) -> (Vec<Gray8>, Drawn) {
+    let mut pixels = vec![Gray8::BLACK; (SIZE.0 * SIZE.1) as usize];
+    let mut canvas = Canvas::new(&mut pixels, SIZE.0, SIZE.1).unwrap();
+    let options = DrawOptions::new()
+        .with_viewport(viewport)
+        .with_cull(Cull::Front);
+    let drawn = canvas.draw_with(&options, thing, mvp, &Flat::new(Gray8::WHITE));
+    (pixels, drawn)
+}
+
+/// A mesh with bounds has the pixels and the counts of the mesh without, except that nothing is culled if the bounds are
+/// out of view: then all is outside. Meshes of all sizes lie around the borders of the view, before and behind the
+/// planes.
+#[test]
+fn bounds_change_no_pixel() {
+    let (mut left_out, mut seen) = ([0; 6], [0; 6]);
+    cases(2000, |random| {
+        let size = 1 << random.random_range(8..21);
+        let mut coordinate = |most: i32| random.random_range(-most..=most);
+        let center = [
+            coordinate(30 << 16),
+            coordinate(30 << 16),
+            coordinate(30 << 16) - (25 << 16),
+        ];
+        let positions = [(); 12].map(|()| Vec3::from_bits(center.map(|at| at + coordinate(size))));
+        let faces: [[u16; 3]; 12] = [(); 12].map(|()| [(); 3].map(|()| random.random_range(0..12)));
+        let edges: [[u16; 2]; 12] = [(); 12].map(|()| [(); 2].map(|()| random.random_range(0..12)));
+        let bare = Mesh::new(&positions, &faces).unwrap();
+        let bare = bare.with_edges(&edges).unwrap();
+        let mut bounds = bare.bounds();
+        if random.random() {
+            // Bounds may be too large, as for a mesh that moves.
+            let beyond = [(); 3].map(|()| random.random_range(-size..=size));
+            bounds = bounds.with(bounds.most + Vec3::from_bits(beyond));
+        }
+        let kept = bare.with_bounds(bounds);
+        let mut side = |most: i32| random.random_range(-most..most);
+        let (x, y) = (side(64), side(48));
+        let (width, height) = (random.random_range(1..=96), random.random_range(1..=72));
+        let viewport = Viewport::new(x, y, width, height).unwrap();
+        let turn = Transform::rotate_z(Angle::from_bits(random.random()))
+            * Transform::rotate_x(Angle::from_bits(random.random_range(0..1 << 27)));
+        let window = fixel::Window::centered(fx!(16), fx!(12));
+        let parallel = Projection::orthographic(window, fx!(1), fx!(50)).unwrap();
+        let is_parallel = random.random_range(0..4) == 0;
+        let mut compare = |at: usize, draw: &dyn Fn(&Mesh<'_>) -> (Vec<Gray8>, Drawn)| {
+            let ((pixels, of_bare), (same, of_kept)) = (draw(&bare), draw(&kept));
+            assert!(pixels == same, "{positions:?} {viewport:?}");
+            if of_kept == of_bare {
+                seen[at] += u32::from(of_bare.drawn > 0);
+            } else {
+                let submitted = of_bare.submitted;
+                let outside = Drawn {
+                    submitted,
+                    ..Drawn::default()
+                };
+                assert_eq!(of_kept, outside);
+                // Lines and points count as drawn even beside the picture.
+                assert!(of_bare.drawn == 0 || at > 0);
+            }
+            left_out[at] += u32::from(of_kept.outside() == of_kept.submitted);
+        };
+        let wide = LineStyle::wide(fx!(64)).unwrap();
+        let large = PointStyle::round(fx!(60)).unwrap().attenuated();
+        macro_rules! compare {
+            ($mvp:expr) => {
+                compare(0, &|mesh| drawn(mesh, viewport, $mvp));
+                compare(1, &|mesh| {
+                    drawn(mesh.edges(LineStyle::HAIRLINE), viewport, $mvp)
+                });
+                compare(2, &|mesh| drawn(mesh.edges(wide), viewport, $mvp));
+                compare(3, &|mesh| drawn(mesh.edges(wide.smooth()), viewport, $mvp));
+                compare(4, &|mesh| {
+                    drawn(mesh.points(PointStyle::PIXEL), viewport, $mvp)
+                });
+                compare(5, &|mesh| drawn(mesh.points(large), viewport, $mvp));
+            };
+        }
+        if is_parallel {
+            compare!(&(parallel * turn));
+        } else {
+            compare!(&(projection() * turn));
+        }
+    });
+    assert!(
+        left_out.iter().chain(&seen).all(|&count| count > 100),
+        "{left_out:?} {seen:?}"
+    );
+}
+
+/// The compiler finds the bounds of meshes in flash. Each mesh leaves the view in each direction: no pixel is lost on the
+/// way, and far out all is outside.
+#[test]
+fn meshes_in_flash_have_bounds() {
+    static OWN: Mesh = Mesh::checked(Mesh::new(
+        &[vec3!(-1, 2, 0), vec3!(-2, -1, 0.5), vec3!(3, 0, -2)],
+        &[[0, 1, 2]],
+    ));
+    static SMALL_BALL: Mesh = shape!(sphere(12, 8), quantized);
+    static SMALLEST_BALL: Mesh = shape!(sphere(12, 8), quantized_8);
+    static HOUSE: Mesh = include_mesh!("../models/house.obj");
+    static SMALL_HOUSE: Mesh = include_mesh!("../models/house.obj", quantized);
+    static SMALLER_HOUSE: Mesh = include_mesh!("../models/house.obj", quantized_16);
+    static SMALLEST_HOUSE: Mesh = include_mesh!("../models/house.obj", quantized_8);
+    let viewport = Viewport::new(0, 0, SIZE.0, SIZE.1).unwrap();
+    let window = fixel::Window::centered(fx!(16), fx!(12));
+    let view = Projection::orthographic(window, fx!(1), fx!(21)).unwrap() * at(0, 0, -11);
+    for mesh in [
+        &OWN,
+        &BALL,
+        &SMALL_BALL,
+        &SMALLEST_BALL,
+        &HOUSE,
+        &SMALL_HOUSE,
+        &SMALLER_HOUSE,
+        &SMALLEST_HOUSE,
+    ] {
+        let positions: Vec<Vec3> = mesh.positions().iter().collect();
+        let bare = Mesh::new(&positions, mesh.faces()).unwrap();
+        for direction in [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y, Vec3::Z, -Vec3::Z] {
+            for step in 0..100 {
+                let mvp = view * Transform::translate(direction * (fx!(0.25) * step));
+                let (pixels, of_bare) = drawn(&bare, viewport, &mvp);
+                let (same, of_mesh) = drawn(mesh, viewport, &mvp);
+                assert!(pixels == same, "{direction:?} {step}");
+                if step == 99 {
+                    assert_eq!((of_mesh.outside(), of_bare.drawn), (of_mesh.submitted, 0));
+                } else if step == 0 {
+                    assert_eq!(of_mesh, of_bare);
+                }
+            }
+        }
+    }
 }

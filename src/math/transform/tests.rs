@@ -148,6 +148,33 @@ fn identity_is_normalized() {
     assert_eq!(Transform::translate(Vec3::ZERO), Transform::IDENTITY);
 }
 
+/// Factors that only move are multiplied without their matrix. The product has the bits of the whole product, even if
+/// translations cancel or have exponents far apart.
+#[test]
+fn factors_that_only_move_are_multiplied_as_others_are() {
+    cases(4096, |random| {
+        let any = transform(random);
+        let turn = Transform::rotate_y(Angle::from_bits(random.random()));
+        let mut moved = Transform::translate(Vec3::from_bits(random.random()));
+        if random.random() {
+            (moved.translation, moved.translation_exp) =
+                (any.translation.map(|m| -m), any.translation_exp);
+        }
+        for other in [any, turn, moved * turn, Transform::IDENTITY] {
+            for [first, then] in [[other, moved], [moved, other], [moved, moved]] {
+                let ([i, j, k], [x, y, z]) = (then.linear, then.translation);
+                let rows = [(i, x), (j, y), (k, z)].map(|(row, moved)| AffineRow {
+                    row,
+                    exp: then.linear_exp,
+                    offset: [moved, 1],
+                    offset_exp: then.translation_exp,
+                });
+                assert_eq!(then * first, compose(&rows, &first), "{then:?} {first:?}");
+            }
+        }
+    });
+}
+
 #[test]
 fn rotations_are_counter_clockwise() {
     let quarter = Angle::QUARTER;

@@ -2,7 +2,8 @@
 //! Each function gives the same bits on all cores.
 //!
 //! No file outside this folder asks for the name or the width of the core. Where another file can compute a number in
-//! two ways, it asks [`DIVIDES`], [`IS_WIDE`] or [`SHIFTS_LATER`] which one is faster.
+//! two ways, it asks [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`] or [`STORES_ANYWHERE`] which
+//! one is faster.
 
 mod bits;
 mod divide;
@@ -39,6 +40,10 @@ const HAS_DSP: bool = cfg!(dsp_core);
 
 /// Whether the core has an instruction, as Cortex-M3 and above have, that limits a number to a given number of bits.
 const SATURATES: bool = cfg!(target_arch = "arm") && !IS_NARROW;
+
+/// Whether registers have 32 bits and are stored at any address, as on Cortex-M3 and above. Other cores store a part of
+/// a slice of 16-bit numbers number by number.
+pub(crate) const STORES_ANYWHERE: bool = cfg!(target_arch = "arm") && !IS_NARROW;
 
 /// Whether registers have 64 bits.
 pub(crate) const IS_WIDE: bool = cfg!(target_pointer_width = "64");

@@ -1,6 +1,5 @@
 //! Perspective projections: distant objects look smaller.
 
-use core::marker::PhantomData;
 use core::ops::Bound::Excluded;
 
 use super::{Perspective, Projection, ProjectionRow, bits};
@@ -26,12 +25,8 @@ impl Projection<Perspective> {
             offset_exp: 0,
         };
         let ((x, x_exp), (y, y_exp)) = (x.rounded(), y.rounded());
-        Self {
-            rows: [row([x, 0, 0, 0], x_exp), row([0, y, 0, 0], y_exp)],
-            near,
-            far,
-            kind: PhantomData,
-        }
+        let rows = [row([x, 0, 0, 0], x_exp), row([0, y, 0, 0], y_exp)];
+        Self::of_rows(rows, near, far)
     }
 
     /// Makes a symmetric perspective from the vertical field of view and the aspect ratio of the picture.

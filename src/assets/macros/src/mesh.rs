@@ -96,6 +96,15 @@ pub fn outline(arguments: &Arguments) -> Result<Expansion, String> {
     Ok(expansion)
 }
 
+/// The least and the greatest coordinates of some positions; 0 if there are none.
+fn bounds<T: Copy + Default + Ord + Into<i32>>(positions: &[[T; 3]]) -> [[i32; 3]; 2] {
+    let of = |axis: usize| positions.iter().map(move |position| position[axis]);
+    [
+        [0, 1, 2].map(|axis| of(axis).min().unwrap_or_default().into()),
+        [0, 1, 2].map(|axis| of(axis).max().unwrap_or_default().into()),
+    ]
+}
+
 /// Writes the statics of a mesh.
 fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
     let mut list = |name: &str, kind: &str, reader: &str, count: usize, bytes: Vec<u8>| {
@@ -132,6 +141,8 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
         lists.colors.len(),
         lists.colors.concat(),
     );
+    // The bits of the least and the greatest coordinates, as they are stored.
+    let mut bounds = bounds(&lists.positions);
     let positions = if format.is_none() {
         let positions = bytes(&lists.positions, i32::to_le_bytes);
         list(
@@ -144,6 +155,8 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
         "fixel::mesh::Positions::long(&POSITIONS)".to_string()
     } else {
         let (positions, fraction) = lists.quantized_positions();
+        bounds =
+            self::bounds(&positions).map(|corner| corner.map(|units| units << (16 - fraction)));
         list(
             "POSITIONS",
             "[i16; 3]",
@@ -155,6 +168,10 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             "fixel::mesh::flash::checked(fixel::mesh::Positions::quantized(&POSITIONS, {fraction}), \"mesh\")"
         )
     };
+    let [least, most] = bounds;
+    let with_bounds = format!(
+        ".with_bounds(fixel::mesh::Bounds::new(fixel::Vec3::from_bits({least:?}), fixel::Vec3::from_bits({most:?})))"
+    );
     let uvs = bytes(&lists.uvs, i32::to_le_bytes);
     let normals = bytes(&lists.normals, i32::to_le_bytes);
     let (uv_count, normal_count) = (lists.uvs.len(), lists.normals.len());
@@ -164,7 +181,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
             list("NORMALS", "fixel::Vec3", "vec3s", normal_count, normals);
             out.push(&format!(
                 "static MESH: fixel::Mesh<'static> = fixel::Mesh::of_lists({positions}, (&FACES, &EDGES), \
-                 (&UVS, &UV_FACES), (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES));\nMESH"
+                 (&UVS, &UV_FACES), (&NORMALS, &NORMAL_FACES), (&COLORS, &COLOR_FACES)){with_bounds};\nMESH"
             ));
         }
         Some(format) => {
@@ -186,7 +203,7 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
                      assets::normals_of_8(&assets::vec3s::<{normal_count}>({normals}));
                  static SMALL_NORMALS: assets::Small<'static, fixel::Vec3> = assets::Small::normals(&NORMALS);
                  fixel::Mesh::of_lists({positions}, (&FACES, &EDGES), (&[], &[]), (&[], &[]), (&COLORS, &COLOR_FACES))
-                     .with_quantized_attributes((&SMALL_NORMALS, &NORMAL_FACES), (&SMALL_UVS, &UV_FACES))"
+                     .with_quantized_attributes((&SMALL_NORMALS, &NORMAL_FACES), (&SMALL_UVS, &UV_FACES)){with_bounds}"
             ));
         }
     }
