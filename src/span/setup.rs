@@ -51,11 +51,17 @@ impl Varying {
     #[cold]
     #[inline(never)]
     fn mixed(&self, [a, b, c]: &[Barycentric; 3]) -> [i32; 3] {
-        [
-            a.mix(&self.corners),
-            b.mix(&self.corners),
-            c.mix(&self.corners),
-        ]
+        let at_a = a.mix(&self.corners);
+        // Vertices of a line or of a point are the same.
+        let after = |at: i32, before: &Barycentric, place: &Barycentric| {
+            if !cfg!(for_size) && place.0 == before.0 {
+                at
+            } else {
+                place.mix(&self.corners)
+            }
+        };
+        let at_b = after(at_a, a, b);
+        [at_a, at_b, after(at_b, b, c)]
     }
 
     /// The range of the varying's values; `None` if they are too large for [`Scale::AFFINE`].
@@ -172,6 +178,11 @@ impl Setup {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.right_shift(exponent);
         let [first, second, third] = q;
+        if patch.is_point() && varyings.is_empty() {
+            self.least = first;
+            self.q.set_level(first.cast_signed());
+            return Plan::Small;
+        }
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
         let mut basis = Basis::new(patch, self.is_paired);
@@ -197,7 +208,10 @@ impl Setup {
                 first.interpolant.set(plane);
                 Plan::Small
             }
-            (Some(range), varyings) if basis.is_small(range) && patch.barycentric.is_none() => {
+            (Some(range), varyings)
+                if basis.is_small(range)
+                    && (patch.barycentric.is_none() || varyings.is_empty()) =>
+            {
                 for varying in varyings {
                     varying.scale = Scale::AFFINE;
                     let plane = basis.small(varying.corners, Scale::AFFINE_UP);
