@@ -33,19 +33,25 @@ impl<'r> Block<'r> {
     /// Adds a row: the next one below the last, or above it if the block [rises](Self::rises).
     #[inline]
     pub(super) fn add(&mut self, row: i32, columns: &Range<i32>) {
-        let columns = [columns.start as i16, columns.end as i16];
         if cfg!(for_size) {
-            self.blit.draw(row, &[columns]);
+            self.draw_alone(row, columns);
             return;
         }
         if i32::from(self.count) == ROWS {
             self.draw();
         }
         if let Some(of_row) = self.rows.get_mut(usize::from(self.count)) {
-            *of_row = columns;
+            *of_row = [columns.start as i16, columns.end as i16];
         }
         self.count += 1;
         self.last = row;
+    }
+
+    /// Draws a row at once.
+    #[inline]
+    pub(super) fn draw_alone(&mut self, row: i32, columns: &Range<i32>) {
+        self.blit
+            .draw(row, &[[columns.start as i16, columns.end as i16]]);
     }
 
     /// Draws the rows that were added. Any row may then be the next.

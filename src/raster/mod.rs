@@ -53,9 +53,9 @@ impl Patch<'_> {
     /// Whether all three vertices are the same. Optimized for size, the answer is no, and points take the path of large
     /// triangles, where all gains are 0.
     #[inline]
-    pub(crate) const fn is_point(&self) -> bool {
-        let [width, height] = self.size;
-        width + height == 0 && !cfg!(for_size)
+    pub(crate) fn is_point(&self) -> bool {
+        let [a, b, _] = self.vertices;
+        core::ptr::eq(a, b) && !cfg!(for_size)
     }
 
     /// A patch where nothing varies.

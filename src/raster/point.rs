@@ -5,7 +5,7 @@ use super::{Barycentric, Patch, Rasterizer, ScreenVertex};
 
 /// Draws the pixel that contains a point. `barycentric` is the point's place in the mesh's triangle, once for each
 /// vertex of the patch.
-#[inline(never)]
+#[inline]
 pub(crate) fn point(
     raster: &mut Rasterizer<'_>,
     at: &ScreenVertex,
@@ -16,9 +16,7 @@ pub(crate) fn point(
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        let mut block = set_up(raster, at, barycentric);
-        block.add(y, &(x..x + 1));
-        block.draw();
+        set_up(raster, at, barycentric).draw_alone(y, &(x..x + 1));
     }
 }
 
@@ -29,6 +27,9 @@ pub(super) fn set_up<'r>(
     at: &ScreenVertex,
     barycentric: Option<&[Barycentric; 3]>,
 ) -> Block<'r> {
+    if !raster.coloring.varies {
+        return raster.set_up(&Patch::EVEN);
+    }
     raster.set_up(&Patch {
         vertices: [at; 3],
         barycentric,

@@ -197,11 +197,10 @@ impl Strip {
             let column = |at: i64| ((at + (1 << 15)) >> 16).clamp(first, end) as i32;
             let columns = column(middle - self.extent)..column(middle + self.extent);
             if !columns.is_empty() {
-                block.add(row, &columns);
+                block.draw_alone(row, &columns);
             }
             middle += self.slope;
         }
-        block.draw();
     }
 }
 

@@ -47,9 +47,8 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         let following = next();
         if following != rows || column + 1 == steps.end {
             for row in meet(&rows, &across) {
-                block.add(row, &(first..column + 1));
+                block.draw_alone(row, &(first..column + 1));
             }
-            block.draw();
             (first, rows) = (column + 1, following);
         }
     }

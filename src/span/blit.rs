@@ -202,6 +202,9 @@ where
             _ if !Self::INTERPOLATES => {
                 pixels.straight::<true>(span.reloaded(), cells, Self::restored);
             }
+            (Plan::Straight, Plan::Pieces(_)) => {
+                pixels.straight::<false>(span.reloaded(), cells, Self::restored);
+            }
             (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
                 pixels.straight::<true>(span.reloaded(), cells, Self::restored);
             }

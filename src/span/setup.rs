@@ -178,11 +178,6 @@ impl Setup {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.right_shift(exponent);
         let [first, second, third] = q;
-        if patch.is_point() && varyings.is_empty() {
-            self.least = first;
-            self.q.set_level(first.cast_signed());
-            return Plan::Small;
-        }
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
         let mut basis = Basis::new(patch, self.is_paired);
@@ -267,6 +262,14 @@ impl Setup {
             varying.interpolant.set(basis.small(values, 0));
         }
         true
+    }
+
+    /// Sets up 1/w at a point.
+    pub(super) fn set_up_point(&mut self, patch: &Patch<'_>) {
+        let [at, ..] = patch.vertices;
+        self.down = self.shift.right_shift(at.exponent);
+        self.least = at.q;
+        self.q.set_level(at.q.cast_signed());
     }
 
     /// The widest range of the varyings, if all may be interpolated without regard to 1/w.

@@ -10,7 +10,8 @@ use crate::shade::Lanes;
 
 impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     /// Draws a span; `restore` turns a pixel's 1/w and interpolants into varyings. With `SKIP`, hidden pixels at the start
-    /// of the span are skipped: not with a `restore` that divides, which needs the registers itself.
+    /// of the span are skipped: not with a `restore` that divides or beside the kernel for pieces, which need the
+    /// registers.
     #[inline(always)]
     pub(super) fn straight<const SKIP: bool>(
         mut self,
