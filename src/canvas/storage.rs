@@ -269,6 +269,23 @@ impl<'a, C, O: Storage<C>, D: DepthBuffer> Cells<'a, C, O, D> {
         first(&mut self.colors, N).first_chunk_mut()
     }
 
+    /// The pixel at an index, with its depth.
+    #[inline]
+    pub(crate) fn at(&mut self, index: usize) -> Option<(&mut O::Cell, Option<&mut u16>)> {
+        let depth = if D::IS_KEPT {
+            self.depths.get_mut(index)
+        } else {
+            None
+        };
+        Some((self.colors.get_mut(index)?, depth))
+    }
+
+    /// The stored depths; none if they are not kept.
+    #[inline]
+    pub(crate) fn depths(&self) -> &[u16] {
+        self.depths
+    }
+
     /// Splits off the first `count` pixels, or all that are left.
     #[inline]
     pub(crate) fn first(

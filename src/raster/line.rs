@@ -2,14 +2,17 @@
 
 use core::ops::Range;
 
+use super::block::Block;
 use super::edge::{Edge, first_center};
 use super::point::point;
 use super::scissor::meet;
-use super::{ClippedVertex, Patch, Rasterizer, Rows, ScreenVertex};
+use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 
 /// Draws a hairline: in each step along the longer axis, the one pixel that contains the line there.
 #[inline(never)]
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+    // Without the pixels that contain the ends, lines that meet at a corner might leave a gap. A blended line leaves these
+    // pixels out, so that a polyline blends no pixel twice.
     if !raster.coloring.blends {
         let steep = is_steep(ends);
         let [from, to] = ends;
@@ -18,11 +21,14 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
         } else {
             (from, to)
         };
-        draw_end(raster, first, steep, false);
-        draw_end(raster, last, steep, true);
+        for (end, is_last) in [(first, false), (last, true)] {
+            if is_beyond(end, steep, is_last) {
+                point(raster, &end.vertex, Some(&[end.barycentric; 3]));
+            }
+        }
     }
     let Some(Course {
-        blit,
+        mut block,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -36,6 +42,7 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
     // An `Edge` steps along its second coordinate, which is the longer axis here. It returns the first center at or
     // after the line, a ceiling. A hairline needs the pixel that contains the line, a floor. So the edge is mirrored:
     // ⌊x⌋ = −⌈−x⌉.
+    block.rises = !steep && minor_end < minor;
     let mut edge = Edge::new([128 - minor, start], [128 - minor_end, end], steps.start);
     // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
@@ -49,21 +56,18 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
                 } else {
                     (offset, first..step + 1)
                 };
-                blit.span(row, &columns);
+                block.add(row, &columns);
             }
             (first, offset) = (step + 1, next);
         }
     }
+    block.draw();
 }
 
-/// Draws the pixel that contains an end of a line, if the line does not pass the pixel's center. Without this pixel,
-/// lines that meet at a corner might leave a gap. A blended line leaves this pixel out, so that a polyline blends no
-/// pixel twice.
-#[inline(never)]
-fn draw_end(raster: &mut Rasterizer<'_>, end: &ClippedVertex, steep: bool, is_last: bool) {
-    if (along(end, steep) & 255 <= 128) == is_last {
-        point(raster, &end.vertex, Some(&[end.barycentric; 3]));
-    }
+/// Whether a line does not pass the center of the pixel that contains an end of the line.
+#[inline]
+fn is_beyond(end: &ClippedVertex, steep: bool, is_last: bool) -> bool {
+    (along(end, steep) & 255 <= 128) == is_last
 }
 
 /// An end's coordinate along the longer axis.
@@ -82,7 +86,7 @@ fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
 
 /// A line from its left to its right end or, if it is steep, from its upper to its lower end.
 pub(super) struct Course<'r> {
-    pub(super) blit: &'r mut dyn Rows,
+    pub(super) block: Block<'r>,
     pub(super) steep: bool,
     /// The ends: the coordinate along the longer axis, then the coordinate across it.
     pub(super) start: [i32; 2],
@@ -122,29 +126,29 @@ impl<'r> Course<'r> {
             return None;
         }
 
-        // Values change along the longer axis only. A sliver along that axis, one unit wide, defines their plane.
+        // Values change along the longer axis only. A sliver along that axis, one pixel wide, defines their plane.
         let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
             screen: major_first(place),
             ..end.vertex
         };
-        let blit = if raster.coloring.varies {
+        let block = if raster.coloring.varies {
             let [a, b, c] = [
                 at(from, [start, 128]),
                 at(to, [end, 128]),
-                at(to, [end, 129]),
+                at(to, [end, 384]),
             ];
-            let length = end - start;
+            let area = (end - start) << 8;
             raster.set_up(&Patch {
                 vertices: [&a, &b, &c],
                 barycentric: Some(&[from.barycentric, to.barycentric, to.barycentric]),
-                size: major_first([length, 1]),
-                area: if steep { -length } else { length }.into(),
+                size: major_first([end - start, 256]),
+                area: if steep { -area } else { area }.into(),
             })
         } else {
             raster.set_up(&Patch::EVEN)
         };
         Some(Self {
-            blit,
+            block,
             steep,
             start: [start, minor],
             end: [end, minor_end],

@@ -1,5 +1,6 @@
 //! From primitives on the screen to spans of pixels.
 
+mod block;
 mod cull;
 mod edge;
 mod line;
@@ -14,8 +15,6 @@ mod straddle;
 mod triangle;
 mod vertex;
 mod wide_line;
-
-use core::ops::Range;
 
 use crate::mesh::Primitive;
 
@@ -45,11 +44,20 @@ pub(crate) struct Patch<'a> {
     pub(crate) barycentric: Option<&'a [Barycentric; 3]>,
     /// Width and height, in units of 1/256 pixel.
     pub(crate) size: [i32; 2],
-    /// Twice the area, in units of (1/256 pixel)²: positive for vertices that run clockwise on the screen.
+    /// Twice the area, in units of (1/256 pixel)²: positive for vertices that run clockwise on the screen. It is 0, as
+    /// the size, for a point: all three vertices are then the same.
     pub(crate) area: i64,
 }
 
 impl Patch<'_> {
+    /// Whether all three vertices are the same. Optimized for size, the answer is no, and points take the path of large
+    /// triangles, where all gains are 0.
+    #[inline]
+    pub(crate) fn is_point(&self) -> bool {
+        let [a, b, _] = self.vertices;
+        core::ptr::eq(a, b) && !cfg!(for_size)
+    }
+
     /// A patch where nothing varies.
     const EVEN: Self = Self {
         vertices: [&ScreenVertex::UNSET; 3],
@@ -90,11 +98,4 @@ pub(crate) trait Rows {
     /// Draws the given columns of consecutive rows, the first of which is row `first`. All columns lie within the
     /// canvas; a row may be empty.
     fn draw(&mut self, first: i32, columns: &[Columns]);
-}
-
-impl dyn Rows + '_ {
-    /// Draws some columns of one row. The columns must lie within the canvas.
-    fn span(&mut self, row: i32, columns: &Range<i32>) {
-        self.draw(row, &[[columns.start as i16, columns.end as i16]]);
-    }
 }

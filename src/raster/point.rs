@@ -1,6 +1,7 @@
 //! Points: one pixel each.
 
-use super::{Barycentric, Patch, Rasterizer, Rows, ScreenVertex};
+use super::block::Block;
+use super::{Barycentric, Patch, Rasterizer, ScreenVertex};
 
 /// Draws the pixel that contains a point. `barycentric` is the point's place in the mesh's triangle, once for each
 /// vertex of the patch.
@@ -15,31 +16,24 @@ pub(crate) fn point(
     let [x, y] = at.screen;
     let [x, y] = [x >> 8, y >> 8];
     if scissor.columns.contains(&x) && scissor.rows.contains(&y) {
-        set_up(raster, at, [x, y], barycentric).span(y, &(x..x + 1));
+        set_up(raster, at, barycentric).draw_alone(y, &(x..x + 1));
     }
 }
 
-/// Sets up the interpolants over the pixel of a point. The interpolants have the point's values everywhere.
-#[inline(always)]
-#[allow(clippy::inline_always)] // optimized for size, a call would take 19 instructions more
+/// Sets up interpolants that have a point's values everywhere.
+#[inline]
 pub(super) fn set_up<'r>(
     raster: &'r mut Rasterizer<'_>,
     at: &ScreenVertex,
-    [x, y]: [i32; 2],
     barycentric: Option<&[Barycentric; 3]>,
-) -> &'r mut dyn Rows {
+) -> Block<'r> {
     if !raster.coloring.varies {
         return raster.set_up(&Patch::EVEN);
     }
-    // All three vertices have the point's values, so any triangle that begins in the point's pixel will do.
-    let [left, top] = [x << 8, y << 8];
-    let [a, b, c] = [[left, top], [left + 256, top], [left, top + 1]]
-        .map(|screen| ScreenVertex { screen, ..*at });
     raster.set_up(&Patch {
-        vertices: [&a, &b, &c],
+        vertices: [at; 3],
         barycentric,
-        size: [256, 1],
-        area: 256,
+        ..Patch::EVEN
     })
 }
 
@@ -64,8 +58,6 @@ mod tests {
         // Two points at the first and the last place in pixel (1, 1), and a point on the border between two pixels.
         let picture = drawn(&[[256, 256], [511, 511], [768, 511]], &whole);
         picture.assert(&[".....", ".!.#.", "....."]);
-        // The last patch begins at the pixel where the last span begins.
-        assert_eq!(picture.screen, [[768, 256], [1024, 256], [768, 257]]);
         assert_eq!(picture.spans[2], (1, 3..4));
     }
 

@@ -3,18 +3,19 @@
 use core::hint::black_box;
 use core::ops::Range;
 
+use super::block::Block;
 use super::edge::first_center;
 use super::polygon::{FanTriangle, Polygon, vertices};
 use super::triangle::scan_convert;
 use super::{
-    Blitter, ClippedVertex, Coloring, Columns, Cull, DepthShift, Patch, Rows, Scissor,
-    ScreenVertex, Triangle,
+    Blitter, ClippedVertex, Coloring, Columns, Cull, DepthShift, Patch, Scissor, ScreenVertex,
+    Triangle,
 };
 use crate::mesh::{Indices, Placement, Primitive};
 
 /// The most rows that [`Rows::draw`] receives at once. This is enough for all rows of a small triangle, and takes 256
 /// bytes of stack.
-const ROWS: i32 = 64;
+pub(super) const ROWS: i32 = 64;
 
 /// The second half of a draw call, from primitives on the screen to rows of pixels: the present primitive, the pixels
 /// that may be drawn, and the blitter that draws them.
@@ -129,8 +130,8 @@ impl<'r> Rasterizer<'r> {
 
     /// Sets up the interpolants of the present primitive over a patch.
     #[inline]
-    pub(super) fn set_up(&mut self, patch: &Patch<'_>) -> &mut dyn Rows {
-        self.blitter.set_up(&self.primitive, patch)
+    pub(super) fn set_up(&mut self, patch: &Patch<'_>) -> Block<'_> {
+        Block::new(self.blitter.set_up(&self.primitive, patch), &mut self.block)
     }
 
     /// Fills a triangle inside the scissor; with `part`, only the pixels that `part` selects.

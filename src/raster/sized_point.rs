@@ -141,7 +141,7 @@ pub(crate) fn sized_point(
     if rows.is_empty() {
         return;
     }
-    let blit = point::set_up(raster, at, [x >> 8, y >> 8], None);
+    let mut block = point::set_up(raster, at, None);
     for row in rows {
         let columns = if is_round {
             let away = (row << 8) + 128 - y;
@@ -161,9 +161,10 @@ pub(crate) fn sized_point(
         };
         let columns = meet(&columns, &scissor.columns);
         if !columns.is_empty() {
-            blit.span(row, &columns);
+            block.add(row, &columns);
         }
     }
+    block.draw();
 }
 
 #[cfg(test)]

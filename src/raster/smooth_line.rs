@@ -5,10 +5,11 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Point;
 
+use super::block::Block;
 use super::edge::first_center;
 use super::line::Course;
 use super::scissor::meet;
-use super::{ClippedVertex, Rasterizer, Rows, Scissor, point};
+use super::{ClippedVertex, Rasterizer, Scissor, point};
 use crate::num::block::BlockFloat;
 use crate::num::rsqrt::unit;
 use crate::num::wide::product;
@@ -134,19 +135,15 @@ pub(crate) fn smooth_line(
     for (end, beyond) in [(low, i32::MIN..steps.start), (high, steps.end..i32::MAX)] {
         let part = part(beyond);
         if !part.is_empty() {
-            let pixel = end.vertex.screen.map(|position| position >> 8);
             let places = [end.barycentric; 3];
-            strip.draw(
-                point::set_up(raster, &end.vertex, pixel, Some(&places)),
-                &part,
-            );
+            strip.draw(point::set_up(raster, &end.vertex, Some(&places)), &part);
         }
     }
     let part = part(steps);
     if !part.is_empty()
         && let Some(course) = Course::new(raster, [low, high])
     {
-        strip.draw(course.blit, &part);
+        strip.draw(course.block, &part);
     }
 }
 
@@ -192,7 +189,7 @@ impl Strip {
     }
 
     /// Draws a part of the bounding box.
-    fn draw(&self, blit: &mut dyn Rows, part: &Scissor) {
+    fn draw(&self, mut block: Block<'_>, part: &Scissor) {
         let [first, end] = [part.columns.start, part.columns.end].map(i64::from);
         let mut middle = self.middle + self.slope * i64::from(part.rows.start);
         for row in part.rows.clone() {
@@ -200,7 +197,7 @@ impl Strip {
             let column = |at: i64| ((at + (1 << 15)) >> 16).clamp(first, end) as i32;
             let columns = column(middle - self.extent)..column(middle + self.extent);
             if !columns.is_empty() {
-                blit.span(row, &columns);
+                block.draw_alone(row, &columns);
             }
             middle += self.slope;
         }

@@ -8,7 +8,7 @@ use super::{ClippedVertex, Rasterizer};
 /// Draws a wide line; `half` is half its width, in units of 1/256 pixel.
 pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], half: i32) {
     let Some(Course {
-        blit,
+        mut block,
         steep,
         start: [start, minor],
         end: [end, minor_end],
@@ -33,9 +33,10 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         for row in steps {
             let columns = meet(&next(), &across);
             if !columns.is_empty() {
-                blit.span(row, &columns);
+                block.add(row, &columns);
             }
         }
+        block.draw();
         return;
     }
     // Equal runs side by side are drawn as a block, which starts at `first`. Runs are compared before they are cut at
@@ -46,7 +47,7 @@ pub(crate) fn wide_line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2], 
         let following = next();
         if following != rows || column + 1 == steps.end {
             for row in meet(&rows, &across) {
-                blit.span(row, &(first..column + 1));
+                block.draw_alone(row, &(first..column + 1));
             }
             (first, rows) = (column + 1, following);
         }

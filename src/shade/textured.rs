@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{GrayColor, PixelColor};
 use super::{Fragment, Shader, Texel, Texels, Translucent};
 use crate::error::Error;
 use crate::mesh::Primitive;
-use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, origin, texels};
+use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, texels};
 
 /// A texture: each pixel shows the texel nearest to its center, or a blend of the four texels around its center
 /// ([`bilinear`](Self::bilinear)).
@@ -37,8 +37,8 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, origin, 
 /// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, the
 /// varyings hold the texture coordinates exactly; along a shorter side, they are rounded to nearest. The range of the
 /// varyings is ±32,768 texels (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond this range, they
-/// saturate. If the texture repeats, a triangle is first moved by whole repeats so that it begins in the first repeat.
-/// So the range limits only the extent of a triangle, not its place in the texture. Lines and points are not moved.
+/// saturate. If the texture repeats, a triangle is first moved by whole repeats so that its middle is in the first
+/// repeat. So the range limits only the extent of a triangle, not its place in the texture. Lines and points are not moved.
 ///
 /// # The type
 ///
@@ -263,12 +263,8 @@ impl<S: Sampler<Color: Texel>, const CLAMPED: bool, F: Filter<S::Color>, D>
     pub(super) fn corners(&self, primitive: &Primitive<'_>) -> [Texels; 3] {
         let [a, b, c] = primitive.corners(|corner| corner.uv().to_bits());
         let coordinates = |bits: [i32; 3], log2| {
-            let is_face = primitive.face().is_some();
-            texels(
-                bits,
-                if is_face { origin::<CLAMPED>(bits) } else { 0 },
-                log2,
-            )
+            let moves = !CLAMPED && primitive.face().is_some();
+            texels(bits, moves, log2)
         };
         let [width, height] = self.texture.size_log2();
         let us = coordinates([a[0], b[0], c[0]], width);
@@ -401,12 +397,12 @@ mod tests {
                 "{u}, {v}"
             );
         }
-        // A triangle that begins left of the first repeat is moved into the first repeat.
+        // A triangle with its middle left of the first repeat's start keeps its place, or is moved by a repeat.
         let [a, b, _] = corners(
             Textured::new(&SKIN),
             [vec2!(-0.25, -1), vec2!(0.25, 0), vec2!(0, 0)],
         );
-        assert_eq!([a, b], [[3 << 16, 0], [5 << 16, 2 << 16]]);
+        assert_eq!([a, b], [[-1 << 16, 0], [1 << 16, 2 << 16]]);
     }
 
     #[test]
@@ -416,7 +412,8 @@ mod tests {
         let uvs = [[low, high], [high, low], [0, 0]].map(Vec2::from_bits);
         let skin = Textured::new(&WIDE);
         let repeated = corners(skin, uvs);
-        assert_eq!(repeated, [[0, high], [high, 0], [high, high]]);
+        // The middle is half a unit below 0, so the origin is the start of the repeat before.
+        assert_eq!(repeated, [[low, high], [high, low], [1 << 24, 1 << 22]]);
         let clamped = corners(skin.clamped(), uvs);
         assert_eq!(clamped, [[low, high], [high, low], [0, 0]]);
         let line = edge(skin, &mesh(&uvs), 0);

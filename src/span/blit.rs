@@ -150,12 +150,12 @@ where
             }
             if let Some(cells) = blit.canvas.cells(row, columns) {
                 if !DIVIDES {
-                    pixels.straight(span, cells, Self::restored_small);
+                    pixels.straight::<true>(span, cells, Self::restored_small);
                     continue;
                 }
                 let Interpolator { mode, planes, .. } = &blit.interpolator;
                 match mode.of_span(Plan::SmallOverW, planes, &mut span) {
-                    Plan::Straight => pixels.straight(span, cells, Self::restored),
+                    Plan::Straight => pixels.straight::<true>(span, cells, Self::restored),
                     Plan::Newton => pixels.newton(span, cells),
                     _ => pixels.divide(&span, cells, Count::<S>::splat(Scale::AFFINE)),
                 }
@@ -199,9 +199,14 @@ where
         // The right half of each pattern is matched with a constant. So the compiler leaves out each kernel that the
         // mode does not use under this projection.
         match (*plan, Interpolator::<Count<S>, K, M>::KERNEL) {
-            _ if !Self::INTERPOLATES => pixels.straight(span.reloaded(), cells, Self::restored),
+            _ if !Self::INTERPOLATES => {
+                pixels.straight::<true>(span.reloaded(), cells, Self::restored);
+            }
+            (Plan::Straight, Plan::Pieces(_)) => {
+                pixels.straight::<false>(span.reloaded(), cells, Self::restored);
+            }
             (Plan::Straight, _) if Interpolator::<Count<S>, K, M>::HAS_STRAIGHT => {
-                pixels.straight(span.reloaded(), cells, Self::restored);
+                pixels.straight::<true>(span.reloaded(), cells, Self::restored);
             }
             (_, Plan::Straight) => pixels.scaled(span, cells, scales),
             (Plan::Newton, Plan::Newton) => pixels.newton(span.reloaded(), cells),

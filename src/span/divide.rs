@@ -19,7 +19,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         cells: Cells<'_, S::Color, O, D>,
         scales: Scales<S>,
     ) {
-        self.straight(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
+        self.straight::<false>(span.clone(), cells, |_, q, p| quotients::<S>(q, p, &scales));
     }
 
     /// The same as [`divide`](Self::divide), but out of line, for modes that rarely divide. If the division were
@@ -46,7 +46,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         scales: Scales<S>,
         at: impl Fn(Point) -> (u32, Numbers<S>),
     ) {
-        self.straight(span.clone(), cells, |pixel, _, _| {
+        self.straight::<false>(span.clone(), cells, |pixel, _, _| {
             let (q, p) = at(pixel);
             quotients::<S>(q, &p, &scales)
         });

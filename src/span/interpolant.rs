@@ -73,6 +73,13 @@ impl Interpolant {
         self.start = start;
     }
 
+    /// A plane with the same value everywhere.
+    #[inline]
+    pub(super) fn set_level(&mut self, start: i32) {
+        let (step, row) = (0, 0);
+        self.set(SmallPlane { step, row, start });
+    }
+
     /// The value at a pixel.
     #[inline]
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
@@ -172,6 +179,11 @@ impl Basis {
         let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
         let [wide, high] = patch.size;
         if wide + high > SMALL << u32::from(has_coarse) {
+            return basis;
+        }
+        if patch.is_point() {
+            // A point: the weights stay 0.
+            (basis.limit, basis.coarse_limit) = (u32::MAX, u32::MAX);
             return basis;
         }
         // Here, twice the area is below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up). Then

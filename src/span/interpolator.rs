@@ -102,6 +102,11 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             setup.set_up_wide(varyings.as_mut(), patch);
             return;
         }
+        if L::COUNT == 0 && patch.is_point() {
+            setup.set_up_point(patch);
+            self.plan = Plan::Small;
+            return;
+        }
         self.plan = setup.set_up(varyings.as_mut(), patch);
         if Self::KERNEL == Plan::Straight || self.plan != Plan::BySpan {
             return;

@@ -29,11 +29,47 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         let change = high(r, dq);
         let mut guess = r;
         r = r.wrapping_add(high(r, change) << 4);
+        // One Newton step: next = guess · (2 − q · guess / 2^60).
+        let refine = |q, guess: &mut Word, r: &mut Word| {
+            let next = newton_step(q, *guess);
+            *guess = (next << 1).wrapping_sub(*r);
+            *r = next;
+        };
+        if Self::SKIPS {
+            let mut at = 0;
+            while let Some(cell) = cells.at(at) {
+                refine(q, &mut guess, &mut r);
+                if self.visible(&cell.1, (q as i32).cast_unsigned(), down) {
+                    self.shade(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
+                } else if at == 0 && Self::is_long(&cells) {
+                    let step = (dq as i32, down);
+                    at = self.skip(&cells, (q as i32).cast_unsigned(), step);
+                    if at == cells.len() {
+                        return;
+                    }
+                    let steps = Word::from((at as u32).cast_signed());
+                    p = Count::<S>::zip(&p, &dp, |p, step| {
+                        p.wrapping_add(step.wrapping_mul(steps))
+                    });
+                    for _ in 1..at {
+                        rolled();
+                        q = q.wrapping_add(dq);
+                        refine(q, &mut guess, &mut r);
+                    }
+                    q = q.wrapping_add(dq);
+                    continue;
+                } else {
+                    seldom();
+                }
+                rolled();
+                at += 1;
+                q = q.wrapping_add(dq);
+                p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
+            }
+            return;
+        }
         for cell in cells.first(usize::MAX) {
-            // One Newton step: next = guess · (2 − q · guess / 2^60).
-            let next = newton_step(q, guess);
-            guess = (next << 1).wrapping_sub(r);
-            r = next;
+            refine(q, &mut guess, &mut r);
             if self.visible(&cell.1, (q as i32).cast_unsigned(), down) {
                 self.shade(cell, Count::<S>::map(&p, |p| high(*p, r) as i32));
             } else {

@@ -7,7 +7,8 @@ use embedded_graphics::geometry::Point;
 
 use super::scale::Scale;
 use super::shading::Shading;
-use crate::canvas::{DepthBuffer, DepthTest, LinearDepth, Storage};
+use crate::canvas::{Cells, DepthBuffer, DepthTest, LinearDepth, Storage};
+use crate::num::wide::HAS_REGISTERS;
 use crate::shade::{Fragment, Lanes, Varyings};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -92,6 +93,33 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
                 .is_none_or(|stored| S::Test::passes(self.code, *stored))
     }
 
+    /// Whether kernels skip hidden pixels at the start of a span. The loop for this steps an index, the other loop steps
+    /// two addresses.
+    pub(super) const SKIPS: bool = D::IS_KEPT && S::Test::TESTS && HAS_REGISTERS && !cfg!(for_size);
+
+    /// Whether a span is long enough to be skipped, if its first pixel is hidden: to call [`skip`](Self::skip) takes as
+    /// long as to step over four to twelve pixels.
+    #[inline]
+    pub(super) fn is_long(cells: &Cells<'_, S::Color, O, D>) -> bool {
+        // Hidden from the compiler, so that it makes no second loop for short spans, with other registers.
+        black_box(cells.len()) >= 16
+    }
+
+    /// Skips the hidden pixels at the start of a span, and returns their number. The current pixel must be the first; 1/w
+    /// is `q` there, and changes by `dq`.
+    #[inline]
+    pub(super) fn skip(
+        &mut self,
+        cells: &Cells<'_, S::Color, O, D>,
+        q: u32,
+        (dq, down): (i32, u32),
+    ) -> usize {
+        let hidden = hidden::<D, S::Test>(self.bias, cells.depths(), q, dq, down).max(1);
+        // `visible` has moved to the first pixel.
+        self.point.x = self.point.x.wrapping_add((hidden as u32).cast_signed() - 1);
+        hidden
+    }
+
     /// Shades the current pixel, after [`visible`](Self::visible) returned `true`.
     #[inline]
     pub(super) fn shade(
@@ -114,4 +142,37 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
             }
         }
     }
+}
+
+/// How many pixels at the start of a span are hidden. Only 1/w is stepped here, and four pixels are tested in a row, so a
+/// hidden pixel takes 6 instructions on Cortex-M4.
+#[cold]
+#[inline(never)]
+fn hidden<D: DepthBuffer, Z: DepthTest>(
+    bias: Z::Bias,
+    depths: &[u16],
+    mut q: u32,
+    dq: i32,
+    down: u32,
+) -> usize {
+    let mut hidden = 0;
+    let (fours, rest) = depths.as_chunks::<4>();
+    for four in fours {
+        for stored in four {
+            if Z::passes(Z::depth::<D>(bias, q, down), *stored) {
+                return hidden;
+            }
+            q = q.wrapping_add_signed(dq);
+            hidden += 1;
+        }
+    }
+    for stored in rest {
+        rolled();
+        if Z::passes(Z::depth::<D>(bias, q, down), *stored) {
+            break;
+        }
+        q = q.wrapping_add_signed(dq);
+        hidden += 1;
+    }
+    hidden
 }

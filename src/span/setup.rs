@@ -51,11 +51,17 @@ impl Varying {
     #[cold]
     #[inline(never)]
     fn mixed(&self, [a, b, c]: &[Barycentric; 3]) -> [i32; 3] {
-        [
-            a.mix(&self.corners),
-            b.mix(&self.corners),
-            c.mix(&self.corners),
-        ]
+        let at_a = a.mix(&self.corners);
+        // Vertices of a line or of a point are the same.
+        let after = |at: i32, before: &Barycentric, place: &Barycentric| {
+            if !cfg!(for_size) && place.0 == before.0 {
+                at
+            } else {
+                place.mix(&self.corners)
+            }
+        };
+        let at_b = after(at_a, a, b);
+        [at_a, at_b, after(at_b, b, c)]
     }
 
     /// The range of the varying's values; `None` if they are too large for [`Scale::AFFINE`].
@@ -197,7 +203,10 @@ impl Setup {
                 first.interpolant.set(plane);
                 Plan::Small
             }
-            (Some(range), varyings) if basis.is_small(range) && patch.barycentric.is_none() => {
+            (Some(range), varyings)
+                if basis.is_small(range)
+                    && (patch.barycentric.is_none() || varyings.is_empty()) =>
+            {
                 for varying in varyings {
                     varying.scale = Scale::AFFINE;
                     let plane = basis.small(varying.corners, Scale::AFFINE_UP);
@@ -253,6 +262,14 @@ impl Setup {
             varying.interpolant.set(basis.small(values, 0));
         }
         true
+    }
+
+    /// Sets up 1/w at a point.
+    pub(super) fn set_up_point(&mut self, patch: &Patch<'_>) {
+        let [at, ..] = patch.vertices;
+        self.down = self.shift.right_shift(at.exponent);
+        self.least = at.q;
+        self.q.set_level(at.q.cast_signed());
     }
 
     /// The widest range of the varyings, if all may be interpolated without regard to 1/w.

@@ -9,9 +9,11 @@ use crate::num::wide::seldom;
 use crate::shade::Lanes;
 
 impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
-    /// Draws a span; `restore` turns a pixel's 1/w and interpolants into varyings.
+    /// Draws a span; `restore` turns a pixel's 1/w and interpolants into varyings. With `SKIP`, hidden pixels at the start
+    /// of the span are skipped: not with a `restore` that divides or beside the kernel for pieces, which need the
+    /// registers.
     #[inline(always)]
-    pub(super) fn straight(
+    pub(super) fn straight<const SKIP: bool>(
         mut self,
         span: Span<Count<S>>,
         mut cells: Cells<'_, S::Color, O, D>,
@@ -19,6 +21,30 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     ) {
         let (mut q, mut p) = (span.q, span.p);
         let (dq, dp, down) = (span.dq, span.dp, span.down);
+        if SKIP && Self::SKIPS {
+            let mut at = 0;
+            while let Some(cell) = cells.at(at) {
+                if self.visible(&cell.1, q, down) {
+                    let numbers = restore(self.point, q, &p);
+                    self.shade(cell, numbers);
+                } else if at == 0 && Self::is_long(&cells) {
+                    at = self.skip(&cells, q, (dq, down));
+                    let steps = (at as u32).cast_signed();
+                    q = q.wrapping_add_signed(dq.wrapping_mul(steps));
+                    p = Count::<S>::zip(&p, &dp, |p, step| {
+                        p.wrapping_add(step.wrapping_mul(steps))
+                    });
+                    continue;
+                } else {
+                    seldom();
+                }
+                rolled();
+                at += 1;
+                q = q.wrapping_add_signed(dq);
+                p = Count::<S>::zip(&p, &dp, |p, step| p.wrapping_add(*step));
+            }
+            return;
+        }
         for cell in cells.first(usize::MAX) {
             if self.visible(&cell.1, q, down) {
                 let numbers = restore(self.point, q, &p);
@@ -41,7 +67,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
         cells: Cells<'_, S::Color, O, D>,
         scales: Scales<S>,
     ) {
-        self.straight(span.reloaded(), cells, |_, _, p| {
+        self.straight::<true>(span.reloaded(), cells, |_, _, p| {
             Count::<S>::zip(p, &scales, |p, scale| scale.restore(*p))
         });
     }

@@ -131,7 +131,7 @@ fn straight_spans_are_sums() {
         let [p, dp] = [span.p[0], span.dp[0]];
         let restore = |_, _, p: &[i32; 1]| p.map(|p| p >> Scale::AFFINE_UP);
         let found = numbers(count, |cells, pixels| {
-            pixels.straight(span, cells, restore);
+            pixels.straight::<true>(span, cells, restore);
         });
         let expected = (0..count.cast_signed()).map(|pixel| (p + dp * pixel) >> 2);
         assert!(found.into_iter().eq(expected));
@@ -244,7 +244,7 @@ fn the_later_of_two_pixels_at_one_depth_shows() {
             down: 15,
             count: columns.len(),
         };
-        pixels.straight(
+        pixels.straight::<true>(
             span,
             canvas.memory().cells(0, columns).unwrap(),
             |_, _, none| *none,

@@ -27,7 +27,7 @@ mod sampler;
 #[allow(clippy::module_inception)] // one type, one file
 mod texture;
 
-pub(crate) use addressing::{origin, texels};
+pub(crate) use addressing::texels;
 pub use argb::{Argb1555, Argb4444};
 pub use blend::Blend;
 pub use cut_out::{CutOut, OrHole};

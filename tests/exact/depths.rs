@@ -1,8 +1,10 @@
-//! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`.
+//! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`. What is hidden
+//! does not change what is visible.
 
 use std::any::type_name_of_val;
+use std::fmt::Debug;
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888, RgbColor};
 use fixel::canvas::{Biased, DepthBuffer, DepthTest, FloatDepth, TestAndWrite};
 use fixel::mode::{Affine, Exact, Fast, Mode, Newton};
 use fixel::prelude::*;
@@ -101,5 +103,72 @@ fn small_deep_triangles_have_the_same_depths_in_all_modes() {
         check_all::<LinearDepth, _>(&mesh, TestAndWrite, &mvp);
         check_ends::<FloatDepth, _>(&mesh, TestAndWrite, &mvp);
         check_all::<FloatDepth, _>(&mesh, Biased::behind(TestAndWrite), &mvp);
+    });
+}
+
+/// Draws a mesh with interpolated colors over stored depths.
+fn over<C: PixelFormat + Default + PartialEq + Debug>(
+    mesh: &Mesh<'_>,
+    mode: impl Mode,
+    stored: &[u16],
+) -> (Vec<C>, Vec<u16>) {
+    let (width, height) = SIZE;
+    let (mut color, mut depth) = (vec![C::default(); stored.len()], stored.to_vec());
+    let canvas = Canvas::new(&mut color, width, height).unwrap();
+    let mut canvas = canvas.with_depth(&mut depth).unwrap();
+    let options = BOTH_SIDES.with_mode(mode);
+    canvas.draw_with(&options, mesh, &Mvp::from(lens()), &Gouraud::new());
+    (color, depth)
+}
+
+/// Checks that a visible pixel has the color that it has if no pixel is hidden.
+fn check_hidden<C: PixelFormat + Default + PartialEq + Debug>(
+    mesh: &Mesh<'_>,
+    mode: impl Mode,
+    stored: &[u16],
+) {
+    let (alone, depths) = over::<C>(mesh, mode, &vec![0; stored.len()]);
+    let found = over::<C>(mesh, mode, stored);
+    let all = alone.iter().zip(depths.iter().zip(stored));
+    let expected = all.map(|(color, (&depth, &stored))| {
+        if depth >= stored {
+            (*color, depth)
+        } else {
+            (C::default(), stored)
+        }
+    });
+    assert_eq!(found, expected.unzip(), "{}", type_name_of_val(&mode));
+}
+
+/// Kernels skip hidden pixels at the start of a span. Colors of 4 bits are dithered by the place of a pixel, so they also
+/// show whether a kernel loses its place.
+#[test]
+fn hidden_pixels_change_no_other_pixel() {
+    let pixels = (SIZE.0 * SIZE.1) as usize;
+    cases(96, |random| {
+        let far = random.random_range(1..40);
+        let corners = [[-9, -6], [9, -6], [0, 9]].map(|corner| {
+            // Some triangles are small on the screen, some fill it.
+            let [x, y] = corner.map(|at| at + random.random_range(-4..4));
+            let z = random.random_range(far..=2 * far);
+            Vec3::new(fx!(1) * x, fx!(1) * y, fx!(-1) * z)
+        });
+        let colors = [(); 3].map(|()| {
+            let [r, g, b] = random.random();
+            Rgb888::new(r, g, b)
+        });
+        let mesh = Mesh::new(&corners, &[[0, 1, 2]]).unwrap();
+        let mesh = mesh.with_colors(&colors, None).unwrap();
+        let mut stored = Vec::new();
+        while stored.len() < pixels {
+            let hides = random.random_ratio(2, 3);
+            let run = random.random_range(1..90);
+            stored.resize(pixels.min(stored.len() + run), u16::from(hides) * 0xffff);
+        }
+        check_hidden::<Rgb565>(&mesh, Newton, &stored);
+        check_hidden::<Gray4>(&mesh, Newton, &stored);
+        check_hidden::<Gray4>(&mesh, Affine, &stored);
+        check_hidden::<Rgb565>(&mesh, Fast::NARROW, &stored);
+        check_hidden::<Gray4>(&mesh, Exact, &stored);
     });
 }

@@ -2,8 +2,8 @@
 //! Each function gives the same bits on all cores.
 //!
 //! No file outside this folder asks for the name or the width of the core. Where another file can compute a number in
-//! two ways, it asks [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`] or [`STORES_ANYWHERE`] which
-//! one is faster.
+//! two ways, it asks [`DIVIDES`], [`HAS_REGISTERS`], [`IS_WIDE`], [`SHIFTS_LATER`] or [`STORES_ANYWHERE`] which one is
+//! faster.
 
 mod bits;
 mod divide;
@@ -28,6 +28,9 @@ const IS_NARROW: bool = cfg!(narrow_core);
 /// Whether the core divides fast. Armv6-M has no division, and Cortex-M23 takes up to 34 cycles, longer than the code
 /// without a division.
 pub(crate) const DIVIDES: bool = !IS_NARROW;
+
+/// Whether the instructions of a loop can use 13 registers. On Armv6-M, most instructions can use only 8.
+pub(crate) const HAS_REGISTERS: bool = !IS_NARROW;
 
 /// Whether the core has an instruction that counts leading zeros. Narrow cores and RISC-V without Zbb have no such
 /// instruction.

@@ -131,7 +131,7 @@ pub fn draw_lighthouse(canvas: &mut Target<'_>) {
 
 #[test]
 fn checksum_of_the_lighthouse() {
-    poses("lighthouse", &[0x3861_112a], &|_, canvas| {
+    poses("lighthouse", &[0x081f_5f38], &|_, canvas| {
         draw_lighthouse(canvas);
     });
 }

@@ -311,7 +311,7 @@ const WORDS: &[Word] = &[
     ("smooth lines", 0xd9f0_08ad, |c| {
         with(c, BALL.edges(LineStyle::HAIRLINE.smooth()), &PLAIN)
     }),
-    ("wide lines", 0xcbd0_82d0, |c| {
+    ("wide lines", 0x8db7_40a5, |c| {
         with(c, CUBE.edges(LineStyle::wide(fx!(3.3))?), &SKINNED)
     }),
     ("smooth wide lines", 0x3478_5065, |c| {
