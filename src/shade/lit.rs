@@ -46,11 +46,7 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
             let point = SurfacePoint::new::<L>(normal, face, || corner.world_position());
             Within(self.0.at(&point).pack::<O::Color>())
         };
-        if has_normals && <Self as Effect<O>>::KEEPS_CORNERS {
-            cached(primitive, keeps, light)
-        } else {
-            primitive.corners(light)
-        }
+        cached(primitive, keeps && has_normals && !L::READS_FACE, light)
     }
 
     #[inline]

@@ -144,15 +144,16 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             down: setup.down,
             count,
         };
-        let plan = match self.plan {
-            Plan::BySpan | Plan::Newton | Plan::Pieces(_) if Self::KERNEL != Plan::Straight => {
-                self.mode.of_span(self.plan, &self.planes, &mut span)
-            }
+        let is_chosen_again = match self.plan {
+            Plan::BySpan | Plan::Newton | Plan::Pieces(_) => Self::KERNEL != Plan::Straight,
             // Otherwise, spans are drawn elsewhere.
-            Plan::SmallOverW if Self::HAS_SMALL_OVER_W && cfg!(for_size) => {
-                self.mode.of_span(Plan::SmallOverW, &self.planes, &mut span)
-            }
-            plan => plan,
+            Plan::SmallOverW => Self::HAS_SMALL_OVER_W && cfg!(for_size),
+            _ => false,
+        };
+        let plan = if is_chosen_again {
+            self.mode.of_span(self.plan, &self.planes, &mut span)
+        } else {
+            self.plan
         };
         (span, plan)
     }
