@@ -19,9 +19,7 @@ const LIMIT: i64 = (1 << BITS) - 1;
 // and copies of them would be most of a small program's code.
 
 /// Returns `value` · 2^`shift`, rounded to nearest (half up); saturates.
-#[cfg_attr(for_size, inline(never))]
-#[cfg_attr(not(for_size), inline(always))]
-#[allow(clippy::inline_always)] // a third of a draw call's set-up would be calls
+#[inline(never)]
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
         // One bit is left for the sign.
@@ -42,8 +40,6 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
 
 /// Returns the number of leading zeros of the magnitude.
 #[cfg_attr(for_size, inline(never))]
-#[cfg_attr(not(for_size), inline(always))]
-#[allow(clippy::inline_always)] // as above
 const fn leading_zeros(value: i64) -> i32 {
     value.unsigned_abs().leading_zeros().cast_signed()
 }
