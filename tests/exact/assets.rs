@@ -249,7 +249,7 @@ fn option_file_order_keeps_the_order_of_mesh_and_outline() {
     assert_eq!(OF_FILE.faces()[..3], [[0, 1, 2], [1, 3, 2], [2, 3, 4]]);
     assert_ne!(GLOBE.faces(), OF_FILE.faces());
     for (mesh, outline) in [(&GLOBE, &OUTLINE), (&OF_FILE, &OUTLINE_OF_FILE)] {
-        let mut edges = [[0; 4]; 3 * 720];
+        let mut edges = vec![[0; 4]; 3 * 720];
         let built = Outline::build(mesh, deg!(30), &mut edges).unwrap();
         assert_eq!(built.edges(), outline.edges());
     }
