@@ -82,8 +82,6 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
     }
 }
 
-impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {}
-
 /// Makes a span linear: replaces each p by four times the varying at the first pixel, and each step of p by four times
 /// the varying's change per pixel. The linear values are the tangent to the exact varying in the middle of the span.
 /// Rounding adds an error of up to 12½ units to a varying.

@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 use super::scale::Scale;
 use super::shading::Shading;
 use crate::canvas::{Cells, DepthBuffer, DepthTest, LinearDepth, Storage};
-use crate::num::wide::HAS_REGISTERS;
+use crate::num::wide::STEPS_INDEX;
 use crate::shade::{Fragment, Lanes, Varyings};
 
 /// The interpolated numbers of a shader, one `i32` in each lane.
@@ -95,7 +95,7 @@ impl<S: Shading, O: Storage<S::Color>, D: DepthBuffer> Pixels<S, O, D> {
 
     /// Whether kernels skip hidden pixels at the start of a span. The loop for this steps an index, the other loop steps
     /// two addresses.
-    pub(super) const SKIPS: bool = D::IS_KEPT && S::Test::TESTS && HAS_REGISTERS && !cfg!(for_size);
+    pub(super) const SKIPS: bool = D::IS_KEPT && S::Test::TESTS && STEPS_INDEX && !cfg!(for_size);
 
     /// Whether a span is long enough to be skipped, if its first pixel is hidden: to call [`skip`](Self::skip) takes as
     /// long as to step over four to twelve pixels.
