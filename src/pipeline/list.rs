@@ -270,11 +270,11 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.34 | 2.63 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.58 | 1.78 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 3.03 | 1.13 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 5.20 | 5.56 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 9.01 | 9.51 |
+    /// | sphere | 0 | 17.1 KiB | 2.33 | 2.56 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.39 | 1.54 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.66 | 0.94 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 4.38 | 4.92 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 8.18 | 8.85 |
     /// <!-- end -->
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and

@@ -37,11 +37,11 @@ use crate::error::{check_length, ok};
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |
 /// |---|---:|---:|
-/// | Cortex-M4, `Newton` | 1.19 | 1.35 |
-/// | the same at opt-level "s" | 1.28 | 1.40 |
-/// | Cortex-M4, `Fast` | 1.36 | 1.52 |
-/// | Cortex-M0+, `Newton` | 2.41 | 2.38 |
-/// | Cortex-M0+, `Fast` | 2.35 | 2.52 |
+/// | Cortex-M4, `Newton` | 1.14 | 1.25 |
+/// | the same at opt-level "s" | 1.29 | 1.40 |
+/// | Cortex-M4, `Fast` | 1.35 | 1.51 |
+/// | Cortex-M0+, `Newton` | 2.40 | 2.37 |
+/// | Cortex-M0+, `Fast` | 2.35 | 2.51 |
 /// <!-- end -->
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
