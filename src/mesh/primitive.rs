@@ -181,10 +181,12 @@ impl Primitive<'_> {
         mut f: impl FnMut(&Corner<'_>) -> N,
     ) -> [N; 3] {
         let cache = self.placement.corners.filter(|_| keeps);
-        self.corners(|corner| match cache {
-            Some(cache) => cache.numbers(corner.key(), numbers, || f(corner)),
-            None => f(corner),
-        })
+        self.corners(
+            |corner| match cache.and_then(|cache| Some((cache, corner.key()?))) {
+                Some((cache, key)) => cache.numbers(key, numbers, || f(corner)),
+                None => f(corner),
+            },
+        )
     }
 
     /// Whether the mesh has normals. Otherwise, all corners of a triangle have the triangle's own normal.
@@ -287,18 +289,25 @@ impl Corner<'_> {
         index.copied().unwrap_or_default()
     }
 
-    /// The indices of the position and, if normals have indices of their own, of the normal.
+    /// The indices of the position and, if normals have indices of their own, of the normal. `None` if other corners
+    /// have a normal of their own, but this one has the normal of its triangle.
     #[inline]
-    fn key(&self) -> u32 {
+    fn key(&self) -> Option<u32> {
         let Primitive {
             placement, indices, ..
         } = self.primitive;
         let normals = &placement.mesh.normals;
         let normal = match normals.faces {
             None => 0,
-            Some(_) => normals.index(*indices, self.corner).unwrap_or_default() as u32,
+            Some(_) => {
+                let normal = normals.index(*indices, self.corner)?;
+                if normal >= normals.values.len() {
+                    return None;
+                }
+                normal as u32
+            }
         };
-        u32::from(self.index()) | normal << 16
+        Some(u32::from(self.index()) | normal << 16)
     }
 
     /// The position in model space.
