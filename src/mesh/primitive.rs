@@ -297,15 +297,14 @@ impl Corner<'_> {
             placement, indices, ..
         } = self.primitive;
         let normals = &placement.mesh.normals;
-        let normal = match normals.faces {
-            None => 0,
-            Some(_) => {
-                let normal = normals.index(*indices, self.corner)?;
-                if normal >= normals.values.len() {
-                    return None;
-                }
-                normal as u32
+        let normal = if normals.faces.is_none() {
+            0
+        } else {
+            let normal = normals.index(*indices, self.corner)?;
+            if normal >= normals.values.len() {
+                return None;
             }
+            normal as u32
         };
         Some(u32::from(self.index()) | normal << 16)
     }
