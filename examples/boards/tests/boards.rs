@@ -32,13 +32,13 @@ struct Board {
 const PICO: Board = Board {
     size: (240, 240),
     rows: 40,
-    crc: 0x7714_2a37,
+    crc: 0x219f_59d9,
     is_blue_first: false,
 };
 const STM32F4: Board = Board {
     size: (320, 240),
     rows: 40,
-    crc: 0x6511_7363,
+    crc: 0x31c2_e00e,
     is_blue_first: true,
 };
 const ESP32C3: Board = Board {
