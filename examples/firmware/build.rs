@@ -34,8 +34,8 @@ const QUADS: [u32; 2] = [72, 40];
 
 /// A bumpy ring of 5,760 triangles, with a texture that repeats three times.
 ///
-/// The order is that of a modeling program: a coarse mesh, its quads made here and there, was twice cut finer. Each time,
-/// the new vertices were appended, and four quads took the place of one.
+/// The faces have the order of a modeling program. The quads of the coarse mesh are in scattered order. It is subdivided
+/// twice: each time, new vertices are appended, and four quads take the place of one.
 fn wreath() -> String {
     let [around, along] = QUADS;
     let mut quads: Vec<[u32; 2]> = (0..around * along)

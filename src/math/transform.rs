@@ -166,8 +166,8 @@ impl Transform {
         t
     }
 
-    /// Whether the matrix is that of a translation, as the first or the last factor of most models is. Multiplied by it,
-    /// another matrix keeps its bits.
+    /// Whether this transform is a translation, like the first or the last factor of most models. A product with it keeps
+    /// the bits of the other factor's matrix.
     #[inline]
     fn only_moves(&self) -> bool {
         const ONE: i32 = 1 << 29;

@@ -189,12 +189,6 @@ impl Primitive<'_> {
         )
     }
 
-    /// Whether the mesh has normals. Otherwise, all corners of a triangle have the triangle's own normal.
-    #[inline]
-    pub(crate) const fn has_normals(&self) -> bool {
-        self.placement.mesh.has_normals()
-    }
-
     /// The positions of the three corners in model space.
     #[must_use]
     pub fn positions(&self) -> [Vec3; 3] {

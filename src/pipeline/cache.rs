@@ -63,7 +63,7 @@ impl Slots {
 
 /// The entries of an empty cache.
 #[inline(always)]
-#[allow(clippy::inline_always)] // so that they are built in place
+#[allow(clippy::inline_always)] // so that the caller's array is filled in place, without a copy
 pub(super) fn empty<const N: usize>() -> [ScreenVertex; N] {
     // An array of zeros would be cleared by a function that stores word by word. This array is filled by instructions
     // that store several words each.

@@ -31,7 +31,8 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3] {
-        let has_normals = primitive.has_normals();
+        // Without normals, all corners of a triangle have the triangle's own normal.
+        let has_normals = primitive.placement.mesh.has_normals();
         let face = if (L::READS_FACE || !has_normals) && primitive.face().is_some() {
             primitive.world_normal()
         } else {

@@ -291,10 +291,7 @@ where
         if Self::VARIES {
             if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
                 self.small_rows::<false>(first, rows);
-            } else if !cfg!(for_size)
-                && Self::HAS_SMALL_OVER_W
-                && self.interpolator.plan == Plan::SmallOverW
-            {
+            } else if Self::HAS_SMALL_OVER_W && self.interpolator.plan == Plan::SmallOverW {
                 self.small_rows::<true>(first, rows);
             } else {
                 self.any_rows(first, rows);

@@ -1,5 +1,5 @@
-//! Depths do not depend on the shader. Depths do not depend on the mode either, except in mode `Compact`. What is hidden
-//! does not change what is visible.
+//! Depths depend neither on the shader nor, except in `Compact`, on the mode. Hidden pixels leave visible pixels as they
+//! are.
 
 use std::any::type_name_of_val;
 use std::fmt::Debug;

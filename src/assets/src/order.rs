@@ -89,7 +89,8 @@ fn fans(faces: &[[u32; 3]]) -> Vec<usize> {
     let mut is_in_order = vec![false; faces.len()];
     let (mut passed, mut next) = (Vec::new(), 0);
     loop {
-        // Begin anew at the last vertex passed that has faces left, or else at the first such vertex of all.
+        // The next fan is around the vertex that was passed last and still has faces; if there is none, around the first
+        // vertex that still has faces.
         let known = std::iter::from_fn(|| passed.pop()).find(|&vertex| left[vertex] > 0);
         next += left[next..].iter().take_while(|&&left| left == 0).count();
         let mut center = known.or((next < count).then_some(next));

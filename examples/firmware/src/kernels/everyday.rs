@@ -244,7 +244,7 @@ impl Bench<'_> {
     }
 }
 
-/// Texture coordinates of a plane on which a texture is repeated so many times in each direction.
+/// The texture coordinates of a plane's corners, so that the texture repeats `times` times in each direction.
 fn repeats(times: i32) -> [Vec2; 4] {
     [[0, 1], [1, 1], [1, 0], [0, 0]].map(|uv| Vec2::from_bits(uv.map(|end| (end * times) << 20)))
 }
