@@ -136,6 +136,9 @@ fn edge(rows: &mut [Columns], side: usize, ends: [&ScreenVertex; 2], row: i32, i
         long_edge(rows, side, ends, row);
         return;
     }
+    if rows.is_empty() {
+        return; // before the edge is divided: half of the edges of small triangles pass no center
+    }
     let [top, bottom] = ends;
     if let Some(mut edge) = ShortEdge::new(top.screen, bottom.screen, row) {
         // Most edges pass few rows, so an empty statement keeps the compiler from unrolling the loops.

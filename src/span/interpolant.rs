@@ -1,7 +1,7 @@
 //! The plane equations of interpolants.
 
 use crate::num::reciprocal;
-use crate::num::wide::{DIVIDES, product, times_short, unsigned_product};
+use crate::num::wide::{DIVIDES, product, times_30, times_short, unsigned_product};
 use crate::raster::{Patch, ScreenVertex};
 
 /// A number that is linear on the screen, such as 1/w or a varying over w: a plane over a triangle, which gives the
@@ -107,37 +107,42 @@ impl Interpolant {
     }
 }
 
-/// The data that all interpolants of a triangle share.
+/// The data that all small planes of a triangle share.
 ///
 /// Positions are in units of 1/256 pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Basis {
     /// The vector from corner 0 to the center of pixel (0, 0).
     to_center: [i32; 2],
-    /// For a small triangle: the change of the barycentric weights of corners 1 and 2, per column and per row, in units
-    /// of 2^(`up` - 32).
+    /// The change of the barycentric weights of corners 1 and 2, per column and per row, in units of 2^(`up` - 32).
     weights: [[i32; 2]; 2],
     up: u32,
-    /// Values with a range below this limit make a small plane; 0 if the triangle's shape allows no small plane.
+    /// Values with a range below this limit make a small plane; 0 if the triangle has coarse planes only.
     limit: u32,
     /// The same limit for coarse planes.
     coarse_limit: u32,
-    wide: Wide,
 }
 
-/// The sides and the area of a triangle, for wide planes.
+/// The data that all wide planes of a triangle share.
 #[derive(Clone, Copy, Debug)]
-struct Wide {
+pub(crate) struct WideBasis {
+    /// The vector from corner 0 to the center of pixel (0, 0).
+    to_center: [i32; 2],
     /// The vectors from corner 0 to corners 1 and 2, times the sign of the area. The area itself is stored without its
     /// sign.
     sides: [[i32; 2]; 2],
     /// Twice the area is 2^-`shift` times a number of 32 bits with the top bit set, and `inverse` is 2⁶² / number.
-    /// `inverse` is 0 until [`Basis::start_wide`] computes it.
     ///
     /// The reciprocal ignores the number's last bit. This scales all interpolants of a triangle by the same relative
     /// error, so the error cancels in their quotients.
     shift: i32,
     inverse: i32,
+}
+
+/// The magnitude of a number, or one less if the number is negative.
+#[inline]
+pub(super) const fn magnitude(value: i32) -> i32 {
+    value ^ value >> 31
 }
 
 /// Limit for the width plus the height of a small triangle, in units of 1/256 pixel.
@@ -154,37 +159,31 @@ const SMALL: i32 = 43 << 8;
 const MOST_UP: u32 = 7;
 
 impl Basis {
-    /// Starts a triangle with wide planes only.
-    #[inline]
-    pub(crate) fn without_weights(patch: &Patch<'_>) -> Self {
-        let [[x, y], ..] = ScreenVertex::screens(patch.vertices);
-        Self {
-            to_center: [128 - x, 128 - y],
-            weights: [[0; 2]; 2],
-            up: 0,
-            limit: 0,
-            coarse_limit: 0,
-            wide: Wide {
-                sides: [[0; 2]; 2],
-                shift: 0,
-                inverse: 0,
-            },
-        }
-    }
+    /// The basis of a shape that has no small plane.
+    pub(super) const NONE: Self = Self {
+        to_center: [0; 2],
+        weights: [[0; 2]; 2],
+        up: 0,
+        limit: 0,
+        coarse_limit: 0,
+    };
 
-    /// Starts a triangle. With `has_coarse`, some of its planes may be [coarse](Self::is_coarse).
+    /// Starts a triangle; `None` if its shape allows no small plane. With `has_coarse`, some of its planes may be
+    /// [coarse](Self::is_coarse).
     #[inline]
-    pub(crate) fn new(patch: &Patch<'_>, has_coarse: bool) -> Self {
-        let mut basis = Self::without_weights(patch);
+    pub(crate) fn new(patch: &Patch<'_>, has_coarse: bool) -> Option<Self> {
         let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
         let [wide, high] = patch.size;
         if wide + high > SMALL << u32::from(has_coarse) {
-            return basis;
+            return None;
         }
         if patch.is_point() {
-            // A point: the weights stay 0.
-            (basis.limit, basis.coarse_limit) = (u32::MAX, u32::MAX);
-            return basis;
+            // A point: all planes are level.
+            return Some(Self {
+                limit: u32::MAX,
+                coarse_limit: u32::MAX,
+                ..Self::NONE
+            });
         }
         // Here, twice the area is below 2^27. Let r be 2^62 / (area · 2^zeros), and s = side · 2^(zeros + 8 - up). Then
         // s · r / 2^30 is side · 2^(40 - up) / area, the change of a weight per pixel in units of 2^(up - 32). `up` is
@@ -194,22 +193,34 @@ impl Basis {
         let most = wide.max(high).cast_unsigned();
         let up = (zeros + 10).saturating_sub(most.leading_zeros());
         if up > MOST_UP {
-            return basis;
+            return None;
         }
-        let inverse = reciprocal(area.unsigned_abs() << (zeros & 31) >> 1).cast_signed();
-        let inverse = if area < 0 { -inverse } else { inverse };
-        let left = (zeros + 8 - up) & 31;
-        let weight = |side: i32| ((product(side << left, inverse) + (1 << 29)) >> 30) as i32;
-        basis.weights = [
-            [weight(cy - y), weight(x - cx)],
-            [weight(y - by), weight(bx - x)],
-        ];
-        basis.up = up;
-        basis.coarse_limit = 1 << (30 - up);
-        if wide + high <= SMALL {
-            basis.limit = basis.coarse_limit;
-        }
-        basis
+        let inverse = reciprocal(area.unsigned_abs() << (zeros & 31) >> 1);
+        let sign = if area < 0 { -1 } else { 1 };
+        let left = sign << ((zeros + 8 - up) & 31);
+        let weight = |side: i32| times_30(side * left, inverse);
+        let coarse_limit = 1 << (30 - up);
+        Some(Self {
+            to_center: [128 - x, 128 - y],
+            weights: [
+                [weight(cy - y), weight(x - cx)],
+                [weight(y - by), weight(bx - x)],
+            ],
+            up,
+            limit: if wide + high <= SMALL {
+                coarse_limit
+            } else {
+                0
+            },
+            coarse_limit,
+        })
+    }
+
+    /// Whether these values make a small plane: their differences are below the limit.
+    #[inline]
+    pub(crate) const fn has_small(&self, [a, b, c]: [i32; 3]) -> bool {
+        let most = magnitude(b.wrapping_sub(a)) | magnitude(c.wrapping_sub(a));
+        self.is_small(most.cast_unsigned())
     }
 
     /// Whether values with this range (greatest minus least) make a small plane.
@@ -223,42 +234,6 @@ impl Basis {
     #[inline]
     pub(crate) const fn is_coarse(&self, range: u32) -> bool {
         range < self.coarse_limit
-    }
-
-    /// Prepares for wide planes. A second call for the same triangle does nothing.
-    #[inline(never)]
-    pub(crate) fn start_wide(&mut self, patch: &Patch<'_>) {
-        if self.wide.inverse != 0 {
-            return;
-        }
-        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
-        let sign = if patch.area < 0 { -1 } else { 1 };
-        let area = patch.area.unsigned_abs();
-        let zeros = area.leading_zeros();
-        let number = (area << (zeros & 63) >> 32) as u32;
-        self.wide = Wide {
-            sides: [
-                [(bx - x) * sign, (by - y) * sign],
-                [(cx - x) * sign, (cy - y) * sign],
-            ],
-            shift: zeros.cast_signed() - 32,
-            inverse: reciprocal(number >> 1).cast_signed(),
-        };
-    }
-
-    /// The change of `values` per column and per row, multiplied by twice the area. The unit of this area is one pixel
-    /// by 1/256 pixel.
-    ///
-    /// Values lie within ±2³¹ and differ by less than 2³¹.
-    #[inline]
-    fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
-        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
-        let [[bx, by], [cx, cy]] = self.wide.sides;
-        // Differences take 31 bits and a sign, sides 20 bits, so the results take 52 bits.
-        [
-            product(b, cy) - product(c, by),
-            product(c, bx) - product(b, cx),
-        ]
     }
 
     /// A plane through 2^`raised` times the values at the corners. The range of these products must be
@@ -281,33 +256,68 @@ impl Basis {
     }
 
     /// Sets up a plane through the values at the corners: a small plane if their range allows it, otherwise a wide plane.
+    /// `wide` is the basis of the triangle's wide planes, once it has one.
     #[inline]
     pub(crate) fn set_up(
-        &mut self,
+        &self,
         values: [i32; 3],
-        range: u32,
-        patch: &Patch<'_>,
+        (patch, wide): (&Patch<'_>, &mut Option<WideBasis>),
         interpolant: &mut Interpolant,
     ) {
-        if self.is_small(range) {
+        if self.has_small(values) {
             interpolant.set(self.small(values, 0));
         } else {
-            self.start_wide(patch);
-            self.set_up_wide(values, interpolant);
+            wide.get_or_insert_with(|| WideBasis::new(patch))
+                .set_up(values, interpolant);
+        }
+    }
+}
+
+impl WideBasis {
+    /// Starts a triangle of any shape.
+    #[inline(never)]
+    pub(crate) fn new(patch: &Patch<'_>) -> Self {
+        let [[x, y], [bx, by], [cx, cy]] = ScreenVertex::screens(patch.vertices);
+        let sign = if patch.area < 0 { -1 } else { 1 };
+        let area = patch.area.unsigned_abs();
+        let zeros = area.leading_zeros();
+        let number = (area << (zeros & 63) >> 32) as u32;
+        Self {
+            to_center: [128 - x, 128 - y],
+            sides: [
+                [(bx - x) * sign, (by - y) * sign],
+                [(cx - x) * sign, (cy - y) * sign],
+            ],
+            shift: zeros.cast_signed() - 32,
+            inverse: reciprocal(number >> 1).cast_signed(),
         }
     }
 
-    /// Sets up a wide plane through the values at the corners of any triangle. Call [`start_wide`](Self::start_wide)
-    /// first.
+    /// The change of `values` per column and per row, multiplied by twice the area. The unit of this area is one pixel
+    /// by 1/256 pixel.
+    ///
+    /// Values lie within ±2³¹ and differ by less than 2³¹.
+    #[inline]
+    fn gains(&self, [a, b, c]: [i32; 3]) -> [i64; 2] {
+        let (b, c) = (b.wrapping_sub(a), c.wrapping_sub(a));
+        let [[bx, by], [cx, cy]] = self.sides;
+        // Differences take 31 bits and a sign, sides 20 bits, so the results take 52 bits.
+        [
+            product(b, cy) - product(c, by),
+            product(c, bx) - product(b, cx),
+        ]
+    }
+
+    /// Sets up a wide plane through the values at the corners.
     #[inline(never)]
-    pub(crate) fn set_up_wide(&self, values: [i32; 3], interpolant: &mut Interpolant) {
+    pub(crate) fn set_up(&self, values: [i32; 3], interpolant: &mut Interpolant) {
         let [dx, dy] = self.gains(values);
         let [x, y] = self.to_center;
         // `moved` is the change from the corner to the center of the pixel that contains the corner.
         let [part_x, part_y] = [x, y].map(|way| i64::from(((way + 127) & 255) - 127));
-        let moved = self.wide.quotient(dx * part_x + dy * part_y);
+        let moved = self.quotient(dx * part_x + dy * part_y);
         // The gains times 256 take 60 bits.
-        let [dx, dy] = [dx, dy].map(|gain| self.wide.quotient(gain << 8));
+        let [dx, dy] = [dx, dy].map(|gain| self.quotient(gain << 8));
         let [columns, rows] = [x, y].map(|way| (way + 127) >> 8);
         let rest = times_short(dx, columns).wrapping_add(times_short(dy, rows));
         let [corner, ..] = values;
@@ -322,9 +332,6 @@ impl Basis {
             dy,
         };
     }
-}
-
-impl Wide {
     /// `numerator` / area in units of 2^-30, rounded down, modulo 2⁶⁴.
     #[inline(never)]
     fn quotient(self, numerator: i64) -> i64 {
@@ -412,7 +419,8 @@ mod tests {
             let numerator = i64::from(numerator) << random.random_range(0..32)
                 | i64::from(random.random::<u16>());
             let shift = random.random_range(-31..32);
-            let wide = Wide {
+            let wide = WideBasis {
+                to_center: [0; 2],
                 sides: [[0; 2]; 2],
                 shift,
                 inverse,
@@ -446,13 +454,15 @@ mod tests {
             }),
             area,
         };
-        let (mut basis, mut interpolant) = (Basis::new(&patch, is_coarse), Interpolant::NONE);
+        let basis = Basis::new(&patch, is_coarse).unwrap_or(Basis::NONE);
+        let mut interpolant = Interpolant::NONE;
         if area != 0 {
             let range = values.iter().max().unwrap() - values.iter().min().unwrap();
             if is_coarse && basis.is_coarse(range.cast_unsigned()) {
                 interpolant.set(basis.small(values, 0));
             } else {
-                basis.set_up(values, range.cast_unsigned(), &patch, &mut interpolant);
+                let wide = (&patch, &mut None);
+                basis.set_up(values, wide, &mut interpolant);
             }
         }
         (area != 0).then_some(interpolant)

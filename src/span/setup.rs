@@ -1,6 +1,6 @@
 //! The set-up of a primitive: the planes of 1/w, and of the varyings divided by w.
 
-use super::interpolant::{Basis, Interpolant};
+use super::interpolant::{Basis, Interpolant, WideBasis, magnitude};
 use super::newton::FRACTION;
 use super::plan::Plan;
 use super::scale::{ONE, Scale, WHOLE, weigh};
@@ -97,6 +97,11 @@ const fn straight(is_small: bool) -> Plan {
     }
 }
 
+/// A varying of at most this magnitude has the scale [`Scale::AFFINE`]. All bits are 1, so a magnitude is tested by its
+/// upper bits.
+const MOST_OVER_W: i32 = (1 << (FRACTION - 2)) - 1;
+const _: () = assert!(MOST_OVER_W < Scale::MOST_AFFINE);
+
 /// Written without `map`, because `map` returns a copy of the array.
 const fn signed([a, b, c]: [u32; 3]) -> [i32; 3] {
     [a.cast_signed(), b.cast_signed(), c.cast_signed()]
@@ -180,8 +185,14 @@ impl Setup {
         let [first, second, third] = q;
         self.least = first.min(second).min(third);
         let change = first.max(second).max(third) - self.least;
-        let mut basis = Basis::new(patch, self.is_paired);
-        basis.set_up(signed(q), change, patch, &mut self.q);
+        let basis = match Basis::new(patch, self.is_paired) {
+            Some(basis) => basis,
+            None if cfg!(for_size) => Basis::NONE,
+            // Apart, so that a small triangle does not begin with the numbers of a basis without small planes.
+            None => return self.set_up_large(varyings, (q, change), patch),
+        };
+        let mut wide = None;
+        basis.set_up(signed(q), (patch, &mut wide), &mut self.q);
         let affine = if self.is_linear && !self.is_paired {
             None
         } else {
@@ -224,9 +235,23 @@ impl Setup {
                     return Plan::SmallOverW;
                 }
                 let is_affine = affine.is_some() && !self.is_linear;
-                self.set_up_varyings(varyings, &mut basis, (q, is_affine), patch)
+                self.set_up_varyings(varyings, (basis, wide), (q, is_affine), patch)
             }
         }
+    }
+
+    /// Sets up all interpolants of a triangle that has no small plane.
+    #[inline(never)]
+    fn set_up_large(
+        &mut self,
+        varyings: &mut [Varying],
+        (q, change): ([u32; 3], u32),
+        patch: &Patch<'_>,
+    ) -> Plan {
+        let wide = WideBasis::new(patch);
+        wide.set_up(signed(q), &mut self.q);
+        let is_affine = !self.is_linear && self.affine_range(varyings, change).is_some();
+        self.set_up_varyings(varyings, (Basis::NONE, Some(wide)), (q, is_affine), patch)
     }
 
     /// Whether a triangle's rows may have the plan [`Plan::SmallOverW`], if the planes of its varyings are small and have
@@ -236,7 +261,7 @@ impl Setup {
         self.least_bits == FRACTION && self.q.is_small && self.least > SHALLOW
     }
 
-    /// Sets up small planes through the varyings over w. Returns false if a plane cannot be small.
+    /// Sets up small planes through the varyings over w. Returns false if a varying is too large.
     #[inline]
     fn set_up_small_over_w(
         varyings: &mut [Varying],
@@ -244,7 +269,8 @@ impl Setup {
         [q_a, q_b, q_c]: [u32; 3],
     ) -> bool {
         for varying in varyings {
-            if varying.affine_range().is_none() {
+            let [a, b, c] = varying.corners;
+            if magnitude(a) | magnitude(b) | magnitude(c) > MOST_OVER_W {
                 return false;
             }
             // `weigh` would return the same products and the same scale.
@@ -252,10 +278,8 @@ impl Setup {
                 let filled = value << (32 - FRACTION);
                 ((product(filled, q.cast_signed()) + (1 << 31)) >> 32) as i32
             };
-            let [a, b, c] = varying.corners;
-            let values @ [a, b, c] = [over_w(a, q_a), over_w(b, q_b), over_w(c, q_c)];
-            let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-            if !basis.is_small(range.cast_unsigned()) {
+            let values = [over_w(a, q_a), over_w(b, q_b), over_w(c, q_c)];
+            if !basis.has_small(values) {
                 return false;
             }
             varying.scale = Scale::AFFINE;
@@ -291,7 +315,7 @@ impl Setup {
     fn set_up_varyings(
         &mut self,
         varyings: &mut [Varying],
-        basis: &mut Basis,
+        (basis, mut wide): (Basis, Option<WideBasis>),
         (q, is_affine): ([u32; 3], bool),
         patch: &Patch<'_>,
     ) -> Plan {
@@ -314,14 +338,7 @@ impl Setup {
             } else {
                 weigh(&mut values, &weights, least_bits)
             };
-            let [a, b, c] = values;
-            let range = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-            basis.set_up(
-                values,
-                range.cast_unsigned(),
-                patch,
-                &mut varying.interpolant,
-            );
+            basis.set_up(values, (patch, &mut wide), &mut varying.interpolant);
             is_small &= varying.interpolant.is_small;
         }
         let is_whole = |varying: &Varying| varying.scale.bits() == WHOLE;
@@ -350,14 +367,13 @@ impl Setup {
     pub(super) fn set_up_wide(&mut self, varyings: &mut [Varying], patch: &Patch<'_>) {
         let (q, exponent) = ScreenVertex::weights(patch.vertices);
         self.down = self.shift.right_shift(exponent);
-        let mut basis = Basis::without_weights(patch);
-        basis.start_wide(patch);
-        basis.set_up_wide(signed(q), &mut self.q);
+        let basis = WideBasis::new(patch);
+        basis.set_up(signed(q), &mut self.q);
         let weights = if self.is_linear { [ONE; 3] } else { q };
         for varying in varyings {
             let mut values = varying.at(patch);
             varying.scale = weigh(&mut values, &weights, 1);
-            basis.set_up_wide(values, &mut varying.interpolant);
+            basis.set_up(values, &mut varying.interpolant);
         }
     }
 
@@ -445,8 +461,8 @@ mod tests {
             }
             compared += 1;
             let (q, _) = ScreenVertex::weights(patch.vertices);
-            let mut basis = Basis::new(&patch, false);
-            setup.set_up_varyings(&mut other, &mut basis, (q, false), &patch);
+            let basis = Basis::new(&patch, false).unwrap();
+            setup.set_up_varyings(&mut other, (basis, None), (q, false), &patch);
             assert_eq!(std::format!("{one:?}"), std::format!("{other:?}"));
         });
         assert!(compared > 1000, "{compared}");

@@ -13,8 +13,8 @@ mod row;
 pub(crate) use bits::{at_least, clamp_negative, normalize, up};
 pub(crate) use divide::{divide, newton_step};
 pub(crate) use product::{
-    cross, high, product, product_to_31_bits, scaled_cross, times_17_bits, times_half, times_short,
-    unsigned_product,
+    cross, high, product, product_to_31_bits, scaled_cross, times_17_bits, times_30, times_half,
+    times_short, unsigned_product,
 };
 pub(crate) use row::{Row, dot};
 

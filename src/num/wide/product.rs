@@ -1,6 +1,6 @@
 //! Products, and the cross products of the sides of triangles.
 
-use super::{IS_NARROW, IS_WIDE, Word};
+use super::{HAS_DSP, IS_NARROW, IS_WIDE, Word};
 
 /// Returns the exact product.
 #[inline]
@@ -55,6 +55,24 @@ pub(crate) const fn high(a: Word, b: Word) -> Word {
     } else {
         (product(a as i32, b as i32) >> 32) as Word
     }
+}
+
+/// Returns a · b / 2^30, rounded to nearest, for an `a` within ±2^30 and a `b` from 2^30 to 2^31 − 1.
+#[inline]
+pub(crate) const fn times_30(a: i32, b: u32) -> i32 {
+    if HAS_DSP {
+        dsp_times_30(a, b)
+    } else {
+        ((product(a, b.cast_signed()) + (1 << 29)) >> 30) as i32
+    }
+}
+
+/// Returns [`times_30`], as 2a · 2b / 2^32, by the instruction `smmulr`, which rounds the upper half of a product. As a
+/// signed number, 2b is 2^32 too small, so 2a is added to the quotient.
+#[inline]
+const fn dsp_times_30(a: i32, b: u32) -> i32 {
+    let (a, b) = (a << 1, (b << 1).cast_signed());
+    a.wrapping_add(((product(a, b) + (1 << 31)) >> 32) as i32)
 }
 
 /// Multiplies by a number of 16 bits; wraps.
@@ -297,6 +315,24 @@ mod tests {
             let exact = (i64::from(a) * i64::from(b)) >> 16;
             assert_eq!(i64::from(times_half(a, b)), exact);
             assert_eq!(i64::from(narrow_times_half(a, b)), exact);
+        });
+    }
+
+    #[test]
+    fn products_of_30_bits_are_rounded_alike() {
+        cases(256, |random| {
+            let a = random.random_range(-(1_i32 << 30)..1 << 30) >> random.random_range(0..30);
+            let b = random.random_range(1_u32 << 30..1 << 31);
+            for (a, b) in [
+                (a, b),
+                (a, 1 << 30),
+                (-(1 << 30), b),
+                ((1 << 30) - 1, (1 << 30) + 1),
+            ] {
+                let exact = (i64::from(a) * i64::from(b) + (1 << 29)) >> 30;
+                assert_eq!(i64::from(times_30(a, b)), exact, "{a} · {b}");
+                assert_eq!(i64::from(dsp_times_30(a, b)), exact, "{a} · {b}");
+            }
         });
     }
 
