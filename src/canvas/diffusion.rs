@@ -128,7 +128,7 @@ impl<'e> ErrorDiffusion<'e> {
             (self.column, self.right, self.below, self.below_right) =
                 (at + 1, right, below, beyond);
         }
-        C::from_steps([steps.cast_unsigned() as u8; 3])
+        C::from_steps([steps; 3])
     }
 
     /// Stores the error of a column of the next row. The error is at most 2,040, half of a step from black to white.
@@ -162,8 +162,8 @@ mod tests {
             [self.0; 3]
         }
 
-        fn from_steps([steps, ..]: [u8; 3]) -> Self {
-            Self(steps.into())
+        fn from_steps([steps, ..]: [i32; 3]) -> Self {
+            Self(steps)
         }
     }
 

@@ -54,7 +54,7 @@ pub trait PixelFormat: PixelColor {
 
     /// Makes a color of these channels, in whole steps. Bits that the format does not have are dropped.
     #[must_use]
-    fn from_steps(steps: [u8; 3]) -> Self;
+    fn from_steps(steps: [i32; 3]) -> Self;
 
     /// Converts `color` to this format: rounded to nearest or, in a dithered format, dithered for the pixel `at` of the
     /// frame.
@@ -140,8 +140,8 @@ pub(super) fn luma([r, g, b]: [i32; 3]) -> i32 {
 
 /// The whole steps of a level that is in range.
 #[inline]
-pub(super) fn whole(level: i32) -> u8 {
-    (level >> 16).cast_unsigned() as u8
+pub(super) fn whole(level: i32) -> i32 {
+    level >> 16
 }
 
 /// Implements [`PixelFormat`] for colors of three channels, or for grays with their white, the method that returns their
@@ -163,7 +163,8 @@ macro_rules! formats {
             }
 
             #[inline]
-            fn from_steps([r, g, b]: [u8; 3]) -> Self {
+            fn from_steps([r, g, b]: [i32; 3]) -> Self {
+                let [r, g, b] = [r, g, b].map(|steps| steps.cast_unsigned() as u8);
                 Self::new(r, g, b)
             }
 
@@ -185,7 +186,8 @@ macro_rules! formats {
             }
 
             #[inline]
-            fn from_steps([$steps, ..]: [u8; 3]) -> Self {
+            fn from_steps([$steps, ..]: [i32; 3]) -> Self {
+                let $steps = $steps.cast_unsigned() as u8;
                 $from
             }
         }
