@@ -61,11 +61,22 @@ impl AffineRow {
     /// its offset. Nothing is rounded.
     #[inline]
     pub(crate) fn after(&self, other: &Transform, linear: &mut [BlockFloat]) -> BlockFloat {
-        let [x, y, z] = &other.linear;
-        for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
-            *product = BlockFloat::new(dot(&self.row, &[x, y, z]), self.exp + other.linear_exp);
+        let exp = self.exp + other.linear_exp;
+        for (product, value) in linear.iter_mut().zip(self.linear_after(other)) {
+            *product = BlockFloat::new(value, exp);
         }
         self.offset_after(other)
+    }
+
+    /// The coefficients of the row that applies `other` first and then this row.
+    #[inline]
+    fn linear_after(&self, other: &Transform) -> [i64; 3] {
+        let [x, y, z] = &other.linear;
+        [
+            dot(&self.row, &[x[0], y[0], z[0]]),
+            dot(&self.row, &[x[1], y[1], z[1]]),
+            dot(&self.row, &[x[2], y[2], z[2]]),
+        ]
     }
 
     /// The offset of the row that applies `other` first and then this row.
@@ -86,12 +97,24 @@ impl AffineRow {
 /// Nothing is rounded before the end, where all rows take one exponent.
 #[inline(never)]
 pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
-    let mut numbers = [BlockFloat::ZERO; 12];
-    let (linear, translation) = numbers.split_at_mut(9);
-    for (row, (linear, moved)) in rows.iter().zip(linear.chunks_exact_mut(3).zip(translation)) {
-        *moved = row.after(other, linear);
+    if cfg!(for_size) {
+        let mut numbers = [BlockFloat::ZERO; 12];
+        let (linear, translation) = numbers.split_at_mut(9);
+        for (row, (linear, moved)) in rows.iter().zip(linear.chunks_exact_mut(3).zip(translation)) {
+            *moved = row.after(other, linear);
+        }
+        return Transform::from_block_floats(&numbers);
     }
-    Transform::from_block_floats(&numbers)
+    let [a, b, c] = rows;
+    let linear = [
+        a.linear_after(other),
+        b.linear_after(other),
+        c.linear_after(other),
+    ];
+    let exps = [a.exp, b.exp, c.exp].map(|exp| exp + other.linear_exp);
+    let mut t = Transform::IDENTITY;
+    t.linear_exp = block::normalize_rows(&mut t.linear, &linear, &exps);
+    t.moved_to(rows, other)
 }
 
 impl Transform {
@@ -104,12 +127,11 @@ impl Transform {
         is_mirror: false,
     };
 
-    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once. The entries
-    /// of a row of the matrix must have the same exponent.
+    /// Makes a transform from its entries, the matrix by rows and then the translation, each rounded once.
     fn from_block_floats(numbers: &[BlockFloat; 12]) -> Self {
         let (linear, translation) = numbers.split_at(9);
         let mut t = Self::IDENTITY;
-        t.linear_exp = block::normalize_rows(&mut t.linear, linear);
+        t.linear_exp = block::normalize(t.linear.as_flattened_mut(), linear);
         t.translation_exp = block::normalize(&mut t.translation, translation);
         t
     }
@@ -119,11 +141,7 @@ impl Transform {
     #[inline(never)]
     pub(crate) fn from_linear(rows: &[[i64; 3]; 3], exp: i32) -> Self {
         let mut t = Self::IDENTITY;
-        let mut numbers = [BlockFloat::ZERO; 9];
-        for (number, value) in numbers.iter_mut().zip(rows.as_flattened()) {
-            *number = BlockFloat::new(*value, exp);
-        }
-        t.linear_exp = block::normalize_rows(&mut t.linear, &numbers);
+        t.linear_exp = block::normalize_rows(&mut t.linear, rows, &[exp; 3]);
         t
     }
 
@@ -135,7 +153,7 @@ impl Transform {
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
         let numbers = offset.to_bits().map(|v| BlockFloat::new(v.into(), 16));
-        t.translation_exp = block::normalize(&mut t.translation, &numbers);
+        t.translation_exp = block::normalize_vector(&mut t.translation, &numbers);
         t
     }
 
@@ -179,7 +197,7 @@ impl Transform {
     #[inline(never)]
     fn moved_to(mut self, rows: &[AffineRow; 3], other: &Self) -> Self {
         let offsets = rows.each_ref().map(|row| row.offset_after(other));
-        self.translation_exp = block::normalize(&mut self.translation, &offsets);
+        self.translation_exp = block::normalize_vector(&mut self.translation, &offsets);
         self
     }
 

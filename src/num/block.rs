@@ -21,15 +21,21 @@ const LIMIT: i64 = (1 << BITS) - 1;
 /// Returns `value` · 2^`shift`, rounded to nearest (half up); saturates.
 #[inline(never)]
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
+    // One bit is left for the sign.
+    if shift <= 0 || value == 0 || shift < leading_zeros(value) {
+        shift_fitting(value, shift)
+    } else if value < 0 {
+        -i64::MAX
+    } else {
+        i64::MAX
+    }
+}
+
+/// Returns [`shift`] of a value that does not saturate.
+#[inline]
+pub(crate) const fn shift_fitting(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
-        // One bit is left for the sign.
-        if value == 0 || shift < leading_zeros(value) {
-            value << (shift & 63)
-        } else if value < 0 {
-            -i64::MAX
-        } else {
-            i64::MAX
-        }
+        value << (shift & 63)
     } else if shift > -64 {
         // A half is added when only one bit is left to drop, because then the sum cannot overflow.
         ((value >> (-shift - 1)) + 1) >> 1
@@ -85,7 +91,27 @@ impl BlockFloat {
             return (mantissa[0], exp);
         }
         let exp = self.finest(BITS).clamp(MIN_EXP, MAX_EXP);
-        (self.at(exp).clamp(-LIMIT, LIMIT) as i32, exp)
+        (self.mantissa(exp), exp)
+    }
+
+    /// Rounds to a mantissa with an exponent from [`MIN_EXP`] to the [`finest`](Self::finest) for a mantissa.
+    #[inline]
+    fn mantissa(self, exp: i32) -> i32 {
+        if cfg!(for_size) || exp == MIN_EXP {
+            return far_mantissa(self, exp);
+        }
+        let down = self.exp.saturating_sub(exp);
+        if down <= 0 {
+            // Either the value is zero, or the shift is below 30.
+            return (self.value as i32) << (-down & 31);
+        }
+        // Above the least exponent, every mantissa has at most 30 bits. One more bit, for rounding, fits into 32 bits.
+        let twice = if down <= 32 {
+            (self.value >> ((down - 1) & 31)) as i32
+        } else {
+            (self.value >> 32) as i32 >> (down - 33).min(31)
+        };
+        ((twice >> 1) + (twice & 1)).clamp(-(LIMIT as i32), LIMIT as i32)
     }
 
     #[inline]
@@ -102,14 +128,26 @@ impl BlockFloat {
     }
 
     /// Rounds both numbers to 61 bits and adds them.
-    #[inline(never)]
+    #[cfg_attr(for_size, inline(never))]
+    #[cfg_attr(not(for_size), inline)]
     pub(crate) fn plus(self, other: Self) -> Self {
         // A sum with a zero needs no common exponent. Most translations of a product of transforms are such sums.
-        if !cfg!(for_size) && other.value == 0 && leading_zeros(self.value) > 2 {
+        if !cfg!(for_size) && other.value == 0 && (-(1 << 61) + 1..1 << 61).contains(&self.value) {
             return self;
         }
+        self.plus_any(other)
+    }
+
+    /// Rounds both numbers to 61 bits and adds them.
+    #[cfg_attr(for_size, inline)]
+    #[cfg_attr(not(for_size), inline(never))]
+    fn plus_any(self, other: Self) -> Self {
         let exp = self.finest(61).min(other.finest(61));
-        Self::new(self.at(exp) + other.at(exp), exp)
+        if cfg!(for_size) {
+            return Self::new(self.at(exp) + other.at(exp), exp);
+        }
+        let at_exp = |number: Self| shift_fitting(number.value, exp.saturating_sub(number.exp));
+        Self::new(at_exp(self) + at_exp(other), exp)
     }
 
     /// Divides by the magnitude of `divisor`. A divisor of zero counts as half of its unit.
@@ -148,54 +186,85 @@ fn operand(value: i64) -> (i32, i32) {
 /// saturate at ±(2^30 − 1).
 #[inline(never)]
 pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
+    normalize_inline(mantissas, numbers)
+}
+
+/// [`normalize`] of three numbers.
+#[cfg_attr(for_size, inline)]
+#[cfg_attr(not(for_size), inline(never))]
+pub(crate) fn normalize_vector(mantissas: &mut [i32; 3], numbers: &[BlockFloat; 3]) -> i32 {
+    if cfg!(for_size) {
+        return normalize(mantissas, numbers);
+    }
+    normalize_inline(mantissas, numbers)
+}
+
+#[inline]
+fn normalize_inline(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
     let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
     let exp = numbers.iter().fold(MAX_EXP, finest).max(MIN_EXP);
     for (mantissa, number) in mantissas.iter_mut().zip(numbers) {
-        *mantissa = number.at(exp).clamp(-LIMIT, LIMIT) as i32;
+        *mantissa = number.mantissa(exp);
     }
     exp
 }
 
-/// Rounds the rows of a matrix, as [`normalize`] does. The numbers of a row must have the same exponent.
-#[cfg_attr(for_size, inline)]
+/// Rounds the rows of a matrix, as [`normalize`] does. The numbers of a row have one exponent.
 #[cfg_attr(not(for_size), inline(never))]
-pub(crate) fn normalize_rows(mantissas: &mut [[i32; 3]; 3], numbers: &[BlockFloat]) -> i32 {
+pub(crate) fn normalize_rows(
+    mantissas: &mut [[i32; 3]; 3],
+    rows: &[[i64; 3]; 3],
+    exps: &[i32; 3],
+) -> i32 {
     if cfg!(for_size) {
-        return normalize(mantissas.as_flattened_mut(), numbers);
+        return normalize_each(mantissas, rows, exps);
     }
-    let (rows, _) = numbers.as_chunks::<3>();
-    let mut common = MAX_EXP;
-    for row in rows {
-        // These bits have as many leading zeros as the greatest magnitude of the row.
-        let [x, y, z] = row.map(|number| number.value.unsigned_abs());
+    let upper = |value: i64| (value >> 32) as i32;
+    let (mut common, mut is_plain) = (MAX_EXP, true);
+    for (row, exp) in rows.iter().zip(exps) {
+        // The magnitudes' upper halves. If a negative number is a power of two, all bits below it are set instead.
+        let [x, y, z] = row.map(|value| (upper(value) ^ upper(value) >> 31).cast_unsigned());
         let bits = x | y | z;
-        if bits != 0 {
-            let up = bits.leading_zeros().cast_signed() + BITS - 64;
-            common = common.min(row[0].exp.saturating_add(up));
-        }
+        // Also if a number would round up to one bit more, all bits are set.
+        is_plain &= bits & (bits + 1) != 0;
+        let up = bits.leading_zeros().cast_signed() + BITS - 64;
+        common = common.min(exp.saturating_add(up));
     }
-    let common = common.max(MIN_EXP);
-    for (to, row) in mantissas.iter_mut().zip(rows) {
-        let down = row[0].exp.saturating_sub(common);
-        // Above the least exponent, every mantissa has at most 30 bits. One more bit, for rounding, fits into 32 bits.
-        let round = |twice: i32| {
-            let limit = LIMIT as i32;
-            ((twice >> 1) + (twice & 1)).clamp(-limit, limit)
-        };
-        *to = if common == MIN_EXP || !(1..64).contains(&down) {
-            row.map(|number| far_mantissa(number, common))
-        } else if down <= 32 {
-            row.map(|number| round((number.value >> ((down - 1) & 31)) as i32))
+    if !is_plain || common <= MIN_EXP {
+        return normalize_each(mantissas, rows, exps);
+    }
+    for (to, (row, exp)) in mantissas.iter_mut().zip(rows.iter().zip(exps)) {
+        // At least 3, because the upper half of some number is not 0.
+        let down = exp.saturating_sub(common) - 1;
+        let round = |twice: i32| (twice >> 1) + (twice & 1);
+        *to = if down < 32 {
+            let (up, down) = (!down & 31, down & 31);
+            row.map(|value| {
+                let lower = value.cast_unsigned() as u32 >> down;
+                round((upper(value) << 1 << up) | lower.cast_signed())
+            })
         } else {
-            row.map(|number| round((number.value >> 32) as i32 >> ((down - 33) & 31)))
+            let down = (down - 32).min(31);
+            row.map(|value| round(upper(value) >> down))
         };
     }
     common
 }
 
+/// Rounds the rows of a matrix with zeros, powers of two or numbers far from 1.
+#[cfg_attr(not(for_size), cold, inline(never))]
+fn normalize_each(mantissas: &mut [[i32; 3]; 3], rows: &[[i64; 3]; 3], exps: &[i32; 3]) -> i32 {
+    let mut numbers = [BlockFloat::ZERO; 9];
+    for (numbers, (row, exp)) in numbers.chunks_exact_mut(3).zip(rows.iter().zip(exps)) {
+        for (number, value) in numbers.iter_mut().zip(row) {
+            *number = BlockFloat::new(*value, *exp);
+        }
+    }
+    normalize(mantissas.as_flattened_mut(), &numbers)
+}
+
 /// Rounds a number to a mantissa with an exponent that may be far from its own.
-#[cold]
-#[inline(never)]
+#[cfg_attr(not(for_size), cold, inline(never))]
 fn far_mantissa(number: BlockFloat, exp: i32) -> i32 {
     number.at(exp).clamp(-LIMIT, LIMIT) as i32
 }
@@ -305,7 +374,8 @@ mod tests {
                 BlockFloat::new(value, exps[at / 3])
             });
             let (mut rows, mut one_by_one) = ([[0; 3]; 3], [0; 9]);
-            let exp = normalize_rows(&mut rows, &numbers);
+            let values = [0, 3, 6].map(|at| [0, 1, 2].map(|i| numbers[at + i].value));
+            let exp = normalize_rows(&mut rows, &values, &exps);
             let expected = normalize(&mut one_by_one, &numbers);
             assert_eq!(
                 (rows.as_flattened(), exp),

@@ -67,7 +67,13 @@ impl Slots {
 pub(super) fn empty<const N: usize>() -> [ScreenVertex; N] {
     // An array of zeros would be cleared by a function that stores word by word. This array is filled by instructions
     // that store several words each.
-    [black_box(ScreenVertex::UNSET); N]
+    let (x, y, q) = (black_box(0), black_box(0), black_box(0));
+    let screen = [x, y];
+    [ScreenVertex {
+        screen,
+        q,
+        ..ScreenVertex::UNSET
+    }; N]
 }
 
 impl<'c, const N: usize> VertexCache<'c, N> {

@@ -53,11 +53,8 @@ pub(super) struct Call<'m, K> {
     pub(super) projector: Projector<'m, K>,
     pub(super) slots: Slots,
     pub(super) cull: Cull,
-    /// Whether depths are [biased](crate::canvas::Biased): then the edges of an outline need a slope.
-    pub(super) is_biased: bool,
     pub(super) scissor: Scissor,
-    /// See [`is_outside`](Self::is_outside).
-    pub(super) has_box_outside: bool,
+    pub(super) screen: &'m Screen,
 }
 
 /// How many pixels lines may reach beyond their ends: half of their greatest width, and half a pixel if they are smooth.
@@ -67,38 +64,42 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     /// A draw call to `rows` of a frame.
     #[inline(never)]
     pub(super) fn new<V: AsMvp<Kind = K>>(
-        (screen, rows): Region<'_>,
+        (screen, rows): Region<'m>,
         mesh: &'m Mesh<'m>,
         mvp: &'m V,
     ) -> Self {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
-        let projector = Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport);
-        // The box is tested against all rows of the frame, so that a band counts like the frame.
-        let has_box_outside = mesh.positions().known_bounds().is_some_and(|bounds| {
-            let Scissor { columns, rows } = screen.scissor(&(0..screen.frame.height));
-            let reached = Scissor {
-                columns: columns.start - REACH..columns.end + REACH,
-                rows: rows.start - REACH..rows.end + REACH,
-            };
-            projector.misses(bounds, &reached)
-        });
         Self {
+            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             slots: Slots::new(mesh.faces()),
-            is_biased: screen.is_biased,
             scissor: screen.scissor(rows),
-            projector,
             cull: screen.cull.mirrored(view.is_mirror),
             placement: Placement::new(mesh, mvp.model_of(), view),
-            has_box_outside,
+            screen,
         }
     }
 
     /// Whether the mesh is certain to have no pixel in the frame, because the box around it is known and out of view.
+    /// No box is known in a program that is optimized for size.
     #[inline]
-    pub(super) const fn is_outside(&self) -> bool {
-        // No box is known in a program that is optimized for size. Without the constant, this would be tested there.
-        !cfg!(for_size) && self.has_box_outside
+    pub(super) fn is_outside(&self) -> bool {
+        !cfg!(for_size) && self.has_box_outside()
+    }
+
+    #[inline(never)]
+    fn has_box_outside(&self) -> bool {
+        let positions = self.placement.mesh.positions();
+        let Some(bounds) = positions.known_bounds() else {
+            return false;
+        };
+        // The box is tested against all rows of the frame, so that a band counts like the frame.
+        let Scissor { columns, rows } = self.screen.scissor(&(0..self.screen.frame.height));
+        let reached = Scissor {
+            columns: columns.start - REACH..columns.end + REACH,
+            rows: rows.start - REACH..rows.end + REACH,
+        };
+        self.projector.misses(bounds, &reached)
     }
 
     /// The rasterizer of this call, which draws primitives once they are on the screen.

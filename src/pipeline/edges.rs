@@ -310,7 +310,7 @@ impl<'m> EdgesOf<'m> {
                         continue;
                     }
                     kept += 1;
-                    let beside = if call.is_biased {
+                    let beside = if call.screen.is_biased {
                         steepness_beside(call, &mut vertices, *faces, (hides, is_crease))
                     } else {
                         0

@@ -95,7 +95,8 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             is_biased: D::IS_KEPT,
             ..options.screen(self.frame_size())
         };
-        let call = Call::new((&screen, &self.rows().clone()), mesh, mvp);
+        let rows = self.rows().clone();
+        let call = Call::new((&screen, &rows), mesh, mvp);
         let edges = EdgesOf::outline(mesh, outline);
         Smoother::new(self, call.scissor.clone())
             .smooth(|smoother| edges::draw(&call, edges, (raster::smooth_edge, 1), smoother))

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 use super::Drawn;
 use super::cache::{self, Slots, VertexCache};
-use super::call::Call;
+use super::call::{Call, Region};
 use super::run::{self, IsPlane};
 use super::thing::{Target, Thing};
 use super::vertex::Projector;
@@ -16,7 +16,7 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::rsqrt::unit;
 use crate::num::wide::{dot, product};
 use crate::num::{Angle, Scalar, TexCoord};
-use crate::raster::{Blitter, Cull, Scissor};
+use crate::raster::{Blitter, Cull};
 use crate::sealed::Sealed;
 use crate::shade::ShaderFor;
 use crate::span::{Plain, Shading, is_plane};
@@ -29,10 +29,9 @@ impl<C> Thing<C> for &Sprites<'_> {
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
-        let (screen, rows) = to.region;
-        let quads = Quads::new(self, (), mvp, &screen.viewport);
+        let quads = Quads::new(self, (), mvp, &to.region.0.viewport);
         quads.draw(
-            &screen.scissor(rows),
+            to.region,
             &|halves| is_plane(to.shading, halves),
             to.blitter,
         )
@@ -46,10 +45,9 @@ impl<C> Thing<C> for &Sprites<'_, &[Angle]> {
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
-        let (screen, rows) = to.region;
         let upright = self.upright();
-        let quads = Quads::new(&upright, self.angles, mvp, &screen.viewport);
-        quads.draw(&screen.scissor(rows), &|_| false, to.blitter)
+        let quads = Quads::new(&upright, self.angles, mvp, &to.region.0.viewport);
+        quads.draw(to.region, &|_| false, to.blitter)
     }
 }
 
@@ -286,7 +284,13 @@ impl<'s, K: ProjectionKind, A: Turn> Quads<'s, K, A> {
 
     /// Draws all sprites.
     #[inline(never)]
-    fn draw(&self, scissor: &Scissor, is_plane: IsPlane<'_>, blitter: &mut dyn Blitter) -> Drawn {
+    fn draw(
+        &self,
+        (screen, rows): Region<'_>,
+        is_plane: IsPlane<'_>,
+        blitter: &mut dyn Blitter,
+    ) -> Drawn {
+        let scissor = screen.scissor(rows);
         let sprites = self.sprites;
         // The corners of an upright sprite that faces the camera share one z, so the screen x of a corner depends only on its x,
         // and the screen y only on its y.
@@ -329,13 +333,12 @@ impl<'s, K: ProjectionKind, A: Turn> Quads<'s, K, A> {
                 (colors, &[]),
             );
             let call = Call {
-                is_biased: false,
                 slots: Slots::new(&[]),
                 projector: self.projector.with_positions(mesh.positions()),
                 placement: Placement::new(&mesh, &self.pose, Transform::IDENTITY),
                 cull: Cull::Nothing,
                 scissor: scissor.clone(),
-                has_box_outside: false,
+                screen,
             };
             vertices.forget(4 * BATCH);
             drawn += run::quads(&call, 2 * first, &mut vertices, is_plane, blitter);

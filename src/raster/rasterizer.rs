@@ -46,7 +46,8 @@ impl<'r> Rasterizer<'r> {
             blitter,
             primitive: placement.primitive(Indices::of_face(0, [0; 3]), 0),
             scissor,
-            block: [[0; 2]; ROWS as usize],
+            // An array of zeros would be cleared by a function that stores word by word.
+            block: [black_box([0; 2]); ROWS as usize],
             drawn: 0,
             clipped: 0,
         }
