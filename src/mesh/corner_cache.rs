@@ -3,13 +3,13 @@
 use core::cell::Cell;
 
 /// The slots for corners with one number. Corners with more numbers have fewer slots.
-const SLOTS: usize = 64;
+const SLOTS: usize = 128;
 
 /// What an effect of a shader, such as light, computed at recent corners of a mesh: kept because neighboring triangles
-/// share corners. The cache takes 512 bytes of stack.
+/// share corners. The cache takes 1 KB of stack.
 ///
-/// Like the cache of projected vertices, it has one slot for all vertices with indices that are a multiple of the number
-/// of slots apart.
+/// The slots of consecutive indices are 75/64 apart. If they were 1 apart, vertices of neighboring rows would push each
+/// other out of the slot in a grid with as many vertices in a row as there are slots, and be computed up to five times.
 #[derive(Clone, Debug)]
 pub(crate) struct CornerCache {
     keys: [Cell<u32>; SLOTS],
@@ -40,7 +40,7 @@ impl CornerCache {
         compute: impl FnOnce() -> N,
     ) -> N {
         let stride = numbers.as_ref().len().next_power_of_two();
-        let slot = key as usize % (SLOTS / stride).max(1);
+        let slot = (key.wrapping_mul(1200) >> 10) as usize % (SLOTS / stride).max(1);
         let at = slot * stride;
         let kept = self.numbers.get(at..).unwrap_or_default();
         let Some(holds) = self.keys.get(slot) else {
