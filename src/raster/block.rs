@@ -1,5 +1,6 @@
 //! Rows of a line or of a point, drawn together.
 
+use core::hint::black_box;
 use core::ops::Range;
 
 use super::rasterizer::ROWS;
@@ -12,7 +13,7 @@ pub(super) struct Block<'r> {
     rows: &'r mut [Columns; ROWS as usize],
     blit: &'r mut dyn Rows,
     /// How many rows are collected, and which is the last of them.
-    count: u8,
+    count: usize,
     last: i32,
     /// Whether rows are added from bottom to top.
     pub(super) rises: bool,
@@ -37,14 +38,31 @@ impl<'r> Block<'r> {
             self.draw_alone(row, columns);
             return;
         }
-        if i32::from(self.count) == ROWS {
+        if self.count == self.rows.len() {
             self.draw();
         }
-        if let Some(of_row) = self.rows.get_mut(usize::from(self.count)) {
+        if let Some(of_row) = self.rows.get_mut(self.count) {
             *of_row = [columns.start as i16, columns.end as i16];
         }
         self.count += 1;
         self.last = row;
+    }
+
+    /// Draws rows from top to bottom, without the rows that were added. `columns` returns the columns of the next row,
+    /// which may be empty.
+    #[inline]
+    pub(super) fn fill(&mut self, rows: &Range<i32>, mut columns: impl FnMut() -> Columns) {
+        let mut first = rows.start;
+        while first < rows.end {
+            let count = (rows.end - first).min(ROWS).cast_unsigned() as usize;
+            let block = self.rows.get_mut(..count).unwrap_or_default();
+            for of_row in &mut *block {
+                black_box(()); // so that the loop is not unrolled: most lines are short
+                *of_row = columns();
+            }
+            self.blit.draw(first, block);
+            first += ROWS;
+        }
     }
 
     /// Draws a row at once.
@@ -60,15 +78,12 @@ impl<'r> Block<'r> {
         if cfg!(for_size) {
             return;
         }
-        let rows = self
-            .rows
-            .get_mut(..usize::from(self.count))
-            .unwrap_or_default();
+        let rows = self.rows.get_mut(..self.count).unwrap_or_default();
         let mut first = self.last;
         if self.rises {
             rows.reverse();
         } else {
-            first -= i32::from(self.count) - 1;
+            first -= self.count as i32 - 1;
         }
         self.blit.draw(first, rows);
         self.count = 0;

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::block::Block;
-use super::edge::{Edge, first_center};
+use super::edge::{Edge, ShortEdge, first_center};
 use super::point::point;
 use super::scissor::meet;
 use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
@@ -11,16 +11,11 @@ use super::{ClippedVertex, Patch, Rasterizer, ScreenVertex};
 /// Draws a hairline: in each step along the longer axis, the one pixel that contains the line there.
 #[inline(never)]
 pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
+    let (steep, ends) = in_order(ends);
     // Without the pixels that contain the ends, lines that meet at a corner might leave a gap. A blended line leaves these
     // pixels out, so that a polyline blends no pixel twice.
     if !raster.coloring.blends {
-        let steep = is_steep(ends);
-        let [from, to] = ends;
-        let (first, last) = if along(to, steep) < along(from, steep) {
-            (to, from)
-        } else {
-            (from, to)
-        };
+        let [first, last] = ends;
         for (end, is_last) in [(first, false), (last, true)] {
             if is_beyond(end, steep, is_last) {
                 point(raster, &end.vertex, Some(&[end.barycentric; 3]));
@@ -34,31 +29,60 @@ pub(crate) fn line(raster: &mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) {
         end: [end, minor_end],
         steps,
         across,
-    }) = Course::new(raster, ends)
+    }) = Course::in_order(raster, steep, ends)
     else {
         return;
     };
 
-    // An `Edge` steps along its second coordinate, which is the longer axis here. It returns the first center at or
-    // after the line, a ceiling. A hairline needs the pixel that contains the line, a floor. So the edge is mirrored:
+    // An edge steps along its second coordinate, which is the longer axis here. It returns the first center at or after
+    // the line, a ceiling. A hairline needs the pixel that contains the line, a floor. So the edge is mirrored:
     // ⌊x⌋ = −⌈−x⌉.
-    block.rises = !steep && minor_end < minor;
-    let mut edge = Edge::new([128 - minor, start], [128 - minor_end, end], steps.start);
+    let (from, to) = ([128 - minor, start], [128 - minor_end, end]);
+    block.rises = minor_end < minor;
+    if !cfg!(for_size)
+        && ShortEdge::fits((minor_end - minor).abs(), end - start)
+        && let Some(mut edge) = ShortEdge::new(from, to, steps.start)
+    {
+        pixels(block, steep, &steps, &across, || -i32::from(edge.next()));
+    } else {
+        let mut edge = Edge::new(from, to, steps.start);
+        pixels(block, steep, &steps, &across, || -edge.next());
+    }
+}
+
+/// Draws one pixel for each step along the longer axis. `next` returns the next pixel's place across that axis.
+#[inline(always)]
+#[allow(clippy::inline_always)] // so that the edge stays in registers
+fn pixels(
+    mut block: Block<'_>,
+    steep: bool,
+    steps: &Range<i32>,
+    across: &Range<i32>,
+    mut next: impl FnMut() -> i32,
+) {
+    let size = (across.end - across.start).max(0).cast_unsigned();
+    let is_inside = |at: i32| at.wrapping_sub(across.start).cast_unsigned() < size;
+    if steep {
+        block.fill(steps, || {
+            let column = next();
+            if is_inside(column) {
+                [column as i16, column as i16 + 1]
+            } else {
+                [0; 2]
+            }
+        });
+        return;
+    }
     // Consecutive pixels of one row are drawn as one span, which starts at `first`.
     let mut first = steps.start;
-    let mut offset = -edge.next();
+    let mut row = next();
     for step in steps.clone() {
-        let next = -edge.next();
-        if steep || next != offset || step + 1 == steps.end {
-            if across.contains(&offset) {
-                let (row, columns) = if steep {
-                    (step, offset..offset + 1)
-                } else {
-                    (offset, first..step + 1)
-                };
-                block.add(row, &columns);
+        let following = next();
+        if following != row || step + 1 == steps.end {
+            if is_inside(row) {
+                block.add(row, &(first..step + 1));
             }
-            (first, offset) = (step + 1, next);
+            (first, row) = (step + 1, following);
         }
     }
     block.draw();
@@ -77,11 +101,17 @@ fn along(end: &ClippedVertex, steep: bool) -> i32 {
     if steep { y } else { x }
 }
 
-/// Whether a line's longer axis is vertical.
+/// Whether a line's longer axis is vertical, and the line's ends from left to right or, if it is steep, from top to
+/// bottom.
 #[inline]
-fn is_steep([from, to]: [&ClippedVertex; 2]) -> bool {
+fn in_order([from, to]: [&ClippedVertex; 2]) -> (bool, [&ClippedVertex; 2]) {
     let ([x0, y0], [x1, y1]) = (from.vertex.screen, to.vertex.screen);
-    x0.abs_diff(x1) < y0.abs_diff(y1)
+    let steep = x0.abs_diff(x1) < y0.abs_diff(y1);
+    if along(to, steep) < along(from, steep) {
+        (steep, [to, from])
+    } else {
+        (steep, [from, to])
+    }
 }
 
 /// A line from its left to its right end or, if it is steep, from its upper to its lower end.
@@ -100,22 +130,23 @@ pub(super) struct Course<'r> {
 impl<'r> Course<'r> {
     /// Sets up the interpolants over a line; `None` if it passes no center within the scissor.
     #[inline]
-    pub(super) fn new(
+    pub(super) fn new(raster: &'r mut Rasterizer<'_>, ends: [&ClippedVertex; 2]) -> Option<Self> {
+        let (steep, ends) = in_order(ends);
+        Self::in_order(raster, steep, ends)
+    }
+
+    /// Does the same as [`new`](Self::new) for a line whose ends are [in order](in_order).
+    #[inline]
+    fn in_order(
         raster: &'r mut Rasterizer<'_>,
-        [mut from, mut to]: [&ClippedVertex; 2],
+        steep: bool,
+        [from, to]: [&ClippedVertex; 2],
     ) -> Option<Self> {
         let scissor = raster.scissor;
-        let steep = is_steep([from, to]);
         // The coordinates along the longer axis and across it.
         let major_first = |[x, y]: [i32; 2]| if steep { [y, x] } else { [x, y] };
-        let ([mut start, mut minor], [mut end, mut minor_end]) = (
-            major_first(from.vertex.screen),
-            major_first(to.vertex.screen),
-        );
-        if end < start {
-            (from, to) = (to, from);
-            (start, minor, end, minor_end) = (end, minor_end, start, minor);
-        }
+        let [start, minor] = major_first(from.vertex.screen);
+        let [end, minor_end] = major_first(to.vertex.screen);
         let (along, across) = if steep {
             (&scissor.rows, &scissor.columns)
         } else {
@@ -129,7 +160,9 @@ impl<'r> Course<'r> {
         // Values change along the longer axis only. A sliver along that axis, one pixel wide, defines their plane.
         let at = |end: &ClippedVertex, place: [i32; 2]| ScreenVertex {
             screen: major_first(place),
-            ..end.vertex
+            q: end.vertex.q,
+            exponent: end.vertex.exponent,
+            ..ScreenVertex::UNSET
         };
         let block = if raster.coloring.varies {
             let [a, b, c] = [
