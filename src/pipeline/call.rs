@@ -49,8 +49,8 @@ pub(super) type Region<'s> = (&'s Screen, &'s Range<u32>);
 /// A draw call: a mesh, where it is placed, and which of its triangles and pixels are left out.
 #[derive(Clone, Debug)]
 pub(super) struct Call<'m, K> {
-    pub(super) placement: Placement<'m>,
     pub(super) projector: Projector<'m, K>,
+    pub(super) placement: Placement<'m>,
     pub(super) slots: Slots,
     pub(super) cull: Cull,
     pub(super) scissor: Scissor,
@@ -71,12 +71,13 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
         Self {
-            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
             slots: Slots::new(mesh.faces()),
             scissor: screen.scissor(rows),
             cull: screen.cull.mirrored(view.is_mirror),
             placement: Placement::new(mesh, mvp.model_of(), view),
             screen,
+            // Last, so that it is made in place.
+            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
         }
     }
 
