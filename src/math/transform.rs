@@ -61,9 +61,9 @@ impl AffineRow {
     /// its offset. Nothing is rounded.
     #[inline]
     pub(crate) fn after(&self, other: &Transform, linear: &mut [BlockFloat]) -> BlockFloat {
-        let exp = self.exp + other.linear_exp;
-        for (product, value) in linear.iter_mut().zip(self.linear_after(other)) {
-            *product = BlockFloat::new(value, exp);
+        let [x, y, z] = &other.linear;
+        for (product, ((&x, &y), &z)) in linear.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *product = BlockFloat::new(dot(&self.row, &[x, y, z]), self.exp + other.linear_exp);
         }
         self.offset_after(other)
     }

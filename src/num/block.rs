@@ -23,7 +23,7 @@ const LIMIT: i64 = (1 << BITS) - 1;
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
     // One bit is left for the sign.
     if shift <= 0 || value == 0 || shift < leading_zeros(value) {
-        shift_fitting(value, shift)
+        shift_inline(value, shift)
     } else if value < 0 {
         -i64::MAX
     } else {
@@ -33,7 +33,16 @@ pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
 
 /// Returns [`shift`] of a value that does not saturate.
 #[inline]
-pub(crate) const fn shift_fitting(value: i64, shift: i32) -> i64 {
+pub(crate) const fn shift_fitting(value: i64, by: i32) -> i64 {
+    if cfg!(for_size) {
+        shift(value, by)
+    } else {
+        shift_inline(value, by)
+    }
+}
+
+#[inline]
+const fn shift_inline(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
         value << (shift & 63)
     } else if shift > -64 {
@@ -143,9 +152,6 @@ impl BlockFloat {
     #[cfg_attr(not(for_size), inline(never))]
     fn plus_any(self, other: Self) -> Self {
         let exp = self.finest(61).min(other.finest(61));
-        if cfg!(for_size) {
-            return Self::new(self.at(exp) + other.at(exp), exp);
-        }
         let at_exp = |number: Self| shift_fitting(number.value, exp.saturating_sub(number.exp));
         Self::new(at_exp(self) + at_exp(other), exp)
     }

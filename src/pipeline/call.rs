@@ -70,6 +70,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
     ) -> Self {
         let view = mvp.model_view_of();
         let viewport = &screen.viewport;
+        let positions = mesh.positions();
         Self {
             slots: Slots::new(mesh.faces()),
             scissor: screen.scissor(rows),
@@ -77,7 +78,7 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
             placement: Placement::new(mesh, mvp.model_of(), view),
             screen,
             // Last, so that it is made in place.
-            projector: Projector::new(mesh.positions(), mvp.projection_of(), &view, viewport),
+            projector: Projector::new(positions, mvp.projection_of(), &view, viewport),
         }
     }
 

@@ -46,8 +46,12 @@ impl<'r> Rasterizer<'r> {
             blitter,
             primitive: placement.primitive(Indices::of_face(0, [0; 3]), 0),
             scissor,
-            // An array of zeros would be cleared by a function that stores word by word.
-            block: [black_box([0; 2]); ROWS as usize],
+            block: if cfg!(for_size) {
+                [[0; 2]; ROWS as usize]
+            } else {
+                // Zeros that the compiler knows would be cleared by a function that stores word by word.
+                [black_box([0; 2]); ROWS as usize]
+            },
             drawn: 0,
             clipped: 0,
         }
