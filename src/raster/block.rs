@@ -83,7 +83,7 @@ impl<'r> Block<'r> {
         if self.rises {
             rows.reverse();
         } else {
-            first -= self.count as i32 - 1;
+            first -= self.count.cast_signed() as i32 - 1;
         }
         self.blit.draw(first, rows);
         self.count = 0;
