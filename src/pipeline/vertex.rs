@@ -579,4 +579,64 @@ mod tests {
             );
         });
     }
+
+    /// The middle of a box counts as shown only if it is projected into the scissor; and of the middles that are, most
+    /// count.
+    #[test]
+    fn a_middle_that_is_shown_is_in_the_scissor() {
+        fn check<K: ProjectionKind>(
+            projection: &Projection<K>,
+            viewport: &Viewport,
+            [a, b]: [Vec3; 2],
+            counts: &mut [u32; 2],
+        ) {
+            let box_of_mesh = Bounds::new(a, b);
+            let (least, most) = (box_of_mesh.least.to_bits(), box_of_mesh.most.to_bits());
+            let middle = [0, 1, 2].map(|axis| {
+                let sum = i64::from(least[axis]) + i64::from(most[axis]);
+                (sum >> 1) as i32
+            });
+            let middle = [Vec3::from_bits(middle)];
+            let mesh = Mesh::new(&middle, &[]).unwrap();
+            let view = Transform::IDENTITY;
+            let projector = Projector::new(mesh.positions(), projection, &view, viewport);
+            let scissor = Scissor::new(viewport, 320, &(0..240));
+            let mut at = ScreenVertex::UNSET;
+            projector.project(0, None, &mut at);
+            let [x, y] = at.screen.map(|at| at >> 8);
+            let is_in =
+                at.outcode == 0 && scissor.columns.contains(&x) && scissor.rows.contains(&y);
+            let is_shown = projector.shows_middle(&least, &most, &scissor);
+            assert!(
+                is_in || !is_shown,
+                "{projection:?} {viewport:?} {a:?} {b:?}"
+            );
+            counts[0] += u32::from(is_in);
+            counts[1] += u32::from(is_shown);
+        }
+        let mut counts = [0; 2];
+        cases(1 << 14, |random| {
+            let near = Scalar::from_bits(random.random_range(1 << 14..4 << 16));
+            let far = near + Scalar::from_bits(random.random_range(1 << 16..200 << 16));
+            let side = |random: &mut crate::random::Random| random.random_range(1..400);
+            let (x, y) = (
+                random.random_range(-300..320),
+                random.random_range(-300..240),
+            );
+            let viewport = Viewport::new(x, y, side(random), side(random)).unwrap();
+            let cut = random.random_range(0..16);
+            let corners = [(); 2].map(|()| {
+                let [x, y, z] = random.random::<[i32; 3]>().map(|at| at >> (cut + 1));
+                Vec3::from_bits([x, y, z])
+            });
+            let fov = Angle::from_degrees(random.random_range(5..120));
+            let perspective = Projection::perspective(fov, (4, 3), near, far).unwrap();
+            check(&perspective, &viewport, corners, &mut counts);
+            let window = Window::centered(fx!(200), fx!(150));
+            let parallel = Projection::orthographic(window, near, far).unwrap();
+            check(&parallel, &viewport, corners, &mut counts);
+        });
+        let [inside, shown] = counts;
+        assert!(inside > 500 && shown > inside / 2, "{shown} of {inside}");
+    }
 }
