@@ -13,7 +13,7 @@ pub(super) struct Block<'r> {
     rows: &'r mut [Columns; ROWS as usize],
     blit: &'r mut dyn Rows,
     /// How many rows are collected, and which is the last of them.
-    count: usize,
+    count: u8,
     last: i32,
     /// Whether rows are added from bottom to top.
     pub(super) rises: bool,
@@ -38,10 +38,10 @@ impl<'r> Block<'r> {
             self.draw_alone(row, columns);
             return;
         }
-        if self.count == self.rows.len() {
+        if i32::from(self.count) == ROWS {
             self.draw();
         }
-        if let Some(of_row) = self.rows.get_mut(self.count) {
+        if let Some(of_row) = self.rows.get_mut(usize::from(self.count)) {
             *of_row = [columns.start as i16, columns.end as i16];
         }
         self.count += 1;
@@ -78,12 +78,15 @@ impl<'r> Block<'r> {
         if cfg!(for_size) {
             return;
         }
-        let rows = self.rows.get_mut(..self.count).unwrap_or_default();
+        let rows = self
+            .rows
+            .get_mut(..usize::from(self.count))
+            .unwrap_or_default();
         let mut first = self.last;
         if self.rises {
             rows.reverse();
         } else {
-            first -= self.count.cast_signed() as i32 - 1;
+            first -= i32::from(self.count) - 1;
         }
         self.blit.draw(first, rows);
         self.count = 0;
