@@ -168,7 +168,6 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         mvp: &V,
         shader: &impl ShaderFor<C>,
     ) -> Drawn {
-        let corners = corner_cache(keeps_corners(shader), usize::MAX);
         let region = (&options.screen(self.frame_size()), &self.rows().clone());
         // Anti-aliased lines change the coverage with each line; other things ignore it.
         let coverage = Cell::default();
@@ -178,7 +177,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             shading: &shading, // sprites ask it whether a quad is one plane
             coverage: &coverage,
             blitter: &mut Blit::<_, _, _, V::Kind, _>::new(options.mode, self, shading),
-            corners: corners.as_ref(),
+            keeps_corners: keeps_corners(shader),
         };
         thing.draw(mvp, target)
     }

@@ -38,8 +38,8 @@ pub struct Target<'t, P> {
     /// Where the rasterizer puts how much of each pixel an anti-aliased line covers.
     pub(super) coverage: &'t Cell<Coverage>,
     pub(super) blitter: &'t mut dyn Blitter,
-    /// Where an effect of the shader keeps what it computes at corners.
-    pub(super) corners: Option<&'t CornerCache>,
+    /// Whether an effect of the shader keeps what it computes at corners.
+    pub(super) keeps_corners: bool,
 }
 
 impl Sealed for &Mesh<'_> {}
@@ -49,6 +49,7 @@ impl<C> Thing<C> for &Mesh<'_> {
 
     #[inline]
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn {
+        let corners;
         let mut call = Call::new(to.region, self, mvp);
         if call.is_outside() {
             let submitted = self.faces().len() as u32;
@@ -57,7 +58,10 @@ impl<C> Thing<C> for &Mesh<'_> {
                 ..Drawn::default()
             };
         }
-        call.placement.corners = to.corners;
+        if to.keeps_corners {
+            corners = CornerCache::new();
+            call.placement.corners = Some(&corners);
+        }
         run::draw(&call, to.blitter)
     }
 }
