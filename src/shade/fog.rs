@@ -71,15 +71,16 @@ pub struct Fog<C, D = LinearFog> {
 /// How thick a fog is: `LinearFog` or `ExponentialFog`.
 #[doc(hidden)]
 pub trait Density: Copy + Sealed {
-    /// The number that is interpolated. This number is linear in the distance.
+    /// The number that is interpolated. This number is linear in the distance. If `in_32nds`, it may be raised for
+    /// [`left_32`](Self::left_32).
     #[doc(hidden)]
-    fn varying(&self, distance: Scalar) -> i32;
+    fn varying(&self, distance: Scalar, in_32nds: bool) -> i32;
 
     /// The share of the surface that remains visible, from 0 to 1 in units of 2^-14.
     #[doc(hidden)]
-    fn left(varying: i32) -> i32;
+    fn left(varying: i32, in_32nds: bool) -> i32;
 
-    /// The share of the surface that remains visible, in units of 1/32, rounded to nearest.
+    /// The share of the surface that remains visible, in units of 1/32, rounded to nearest, from a varying `in_32nds`.
     #[doc(hidden)]
     fn left_32(varying: i32) -> u32;
 }
@@ -141,19 +142,21 @@ const fn binary_logarithm(distance: Scalar, density: Scalar) -> i64 {
 }
 
 impl Density for LinearFog {
-    /// Returns the negative share that remains visible, in units of 2^-[`BITS`], plus half of 1/32. Because of the
-    /// added half, a shift alone rounds the share to 32nds at a pixel.
-    fn varying(&self, distance: Scalar) -> i32 {
+    /// Returns the negative share that remains visible, in units of 2^-[`BITS`]. If `in_32nds`, half of 1/32 is added, so
+    /// that a shift alone rounds the share at a pixel.
+    fn varying(&self, distance: Scalar, in_32nds: bool) -> i32 {
         // The difference has 33 bits: it may be greater than the greatest `Scalar`.
         let beyond = i64::from(distance.to_bits()) - i64::from(self.far);
-        let hidden = self.range.share(beyond) + i64::from(HALF);
+        let half = if in_32nds { HALF } else { 0 };
+        let hidden = self.range.share(beyond) + i64::from(half);
         // In a triangle for which fog promises its error, no number is cut.
         hidden.clamp(-(1 << 30), (1 << 30) - 1) as i32
     }
 
     #[inline]
-    fn left(varying: i32) -> i32 {
-        clamp_negative(varying.wrapping_sub(HALF), BITS).wrapping_neg()
+    fn left(varying: i32, in_32nds: bool) -> i32 {
+        let half = if in_32nds { HALF } else { 0 };
+        clamp_negative(varying.wrapping_sub(half), BITS).wrapping_neg()
     }
 
     #[inline]
@@ -165,12 +168,12 @@ impl Density for LinearFog {
 }
 
 impl Density for ExponentialFog {
-    fn varying(&self, distance: Scalar) -> i32 {
+    fn varying(&self, distance: Scalar, _: bool) -> i32 {
         binary_logarithm(distance, self.density) as i32
     }
 
     #[inline]
-    fn left(varying: i32) -> i32 {
+    fn left(varying: i32, _: bool) -> i32 {
         // The code computes 2^-x for x from 0 to less than 16. The whole part of x becomes a right shift. For the
         // fraction f of x, 2^-f is replaced by the parabola 1 − (½ + c) f + c f², which is exact at f = 0 and f = 1.
         // With c = 0.1715, its error is at most 0.0019.
@@ -182,7 +185,7 @@ impl Density for ExponentialFog {
 
     #[inline]
     fn left_32(varying: i32) -> u32 {
-        (Self::left(varying) + HALF).cast_unsigned() >> (BITS - 5)
+        (Self::left(varying, true) + HALF).cast_unsigned() >> (BITS - 5)
     }
 }
 
@@ -243,7 +246,7 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3] {
         cached(primitive, keeps, |corner| {
-            Within(self.density.varying(corner.distance()))
+            Within(self.density.varying(corner.distance(), O::IS_PLAIN))
         })
     }
 
@@ -277,7 +280,7 @@ impl<O: Output<Color: PixelFormat>, D: Density> Output for Fogged<O, D> {
 
     #[inline]
     fn map<T: PixelFormat>(self, f: impl FnOnce(Precise<O::Color>) -> Precise<T>) -> O::With<T> {
-        let left = D::left(self.varying) << (16 - BITS);
+        let left = D::left(self.varying, O::IS_PLAIN) << (16 - BITS);
         let fog = Precise::from(self.fog);
         self.output.map(|color| f(fog.mix(color, left)))
     }
@@ -345,7 +348,7 @@ mod tests {
         for x in 0..20 << LOG_BITS {
             let exact = (-f64::from(x) / f64::from(1 << LOG_BITS)).exp2();
             let one = f64::from(1 << BITS);
-            let left = f64::from(ExponentialFog::left(x)) / one;
+            let left = f64::from(ExponentialFog::left(x, false)) / one;
             // Two products and the shift are rounded down.
             assert!((left - exact).abs() <= 0.0019 + 3. / one, "{x}: {left}");
         }
@@ -359,10 +362,12 @@ mod tests {
         let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
         for distance in (0..4 << 16).map(Scalar::from_bits) {
             let left = f64::from(far - distance) / 2.;
-            let varying = fog.density.varying(distance);
+            let varying = fog.density.varying(distance, true);
             let parts = f64::from(1 << BITS);
             // The varying is rounded down to a multiple of 2^-BITS.
-            let found = f64::from(LinearFog::left(varying));
+            let found = f64::from(LinearFog::left(varying, true));
+            let plain = LinearFog::left(fog.density.varying(distance, false), false);
+            assert!(found == f64::from(plain), "{distance}: {plain}");
             assert!(
                 (found - left.clamp(0., 1.) * parts).abs() <= 1.,
                 "{distance}: {found}"
@@ -372,8 +377,8 @@ mod tests {
             assert!(error.abs() <= 0.5 + 32. / parts, "{distance}: {found}");
         }
         for (distance, whole) in [(near, 1), (far, 0)] {
-            let varying = fog.density.varying(distance);
-            assert_eq!(LinearFog::left(varying), whole << BITS);
+            let varying = fog.density.varying(distance, true);
+            assert_eq!(LinearFog::left(varying, true), whole << BITS);
             assert_eq!(LinearFog::left_32(varying), 32 * whole.cast_unsigned());
         }
     }
@@ -384,7 +389,7 @@ mod tests {
             let fog = Fog::linear(Gray8::WHITE, near, far).unwrap();
             for distance in [Scalar::MIN, fx!(0), Scalar::MAX] {
                 // The varying is in units of 2^-14; half of 1/32 is 256 units.
-                let varying = fog.density.varying(distance);
+                let varying = fog.density.varying(distance, true);
                 let exact = (f64::from(distance) - f64::from(far))
                     / (f64::from(far) - f64::from(near))
                     * 16_384.
@@ -411,7 +416,7 @@ mod tests {
             fx!(20_000),
             Scalar::MAX,
         ] {
-            let varying = fog.density.varying(distance);
+            let varying = fog.density.varying(distance, true);
             let exact = f64::from(distance) * 5. * core::f64::consts::LOG2_E * 8192.;
             let error = (f64::from(varying) - exact).abs();
             assert!(error <= 1.1 + 5e-6 * exact.abs(), "{varying}, not {exact}");

@@ -245,7 +245,7 @@ const WORDS: &[Word] = &[
         c.draw_with(&options, &SHEET, &below, &surface.erased());
         Ok(())
     }),
-    ("linear fog", 0x2151_a275, |c| {
+    ("linear fog", 0xc650_d53c, |c| {
         surface(
             c,
             &RING,
