@@ -15,8 +15,9 @@ const FINER: u32 = TexCoord::FRAC_BITS - 16;
 // Out of line, because all textured shaders share this code.
 #[inline(never)]
 pub(crate) fn texels(bits: [i32; 3], moves: bool, log2: u32) -> [i32; 3] {
-    let origin = if moves {
-        let [a, b, c] = bits;
+    let [a, b, c] = bits;
+    // Most coordinates are in the first repeat.
+    let origin = if moves && (a | b | c) >> TexCoord::FRAC_BITS != 0 {
         let (least, greatest) = (a.min(b).min(c), a.max(b).max(c));
         let middle = (least >> 1) + (greatest >> 1);
         middle >> TexCoord::FRAC_BITS << TexCoord::FRAC_BITS
@@ -26,7 +27,7 @@ pub(crate) fn texels(bits: [i32; 3], moves: bool, log2: u32) -> [i32; 3] {
     // A difference does not wrap to a positive number, because the origin is not above the middle.
     let [a, b, c] = bits.map(|bits| bits.wrapping_sub(origin));
     let up = log2.wrapping_sub(FINER);
-    // Most coordinates are in the first repeat, need no rounding, and are far from the ends of the range.
+    // Most coordinates need no rounding, and are far from the ends of the range.
     if up < (a | b | c).leading_zeros() {
         return [a << (up & 31), b << (up & 31), c << (up & 31)];
     }
