@@ -74,7 +74,7 @@ impl DrawOptions {
         Self {
             cull: Cull::Back,
             viewport: None,
-            mode: Newton,
+            mode: Newton::DEFAULT,
             depth_test: TestAndWrite,
             blending: Replace,
         }

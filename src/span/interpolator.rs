@@ -73,7 +73,9 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
                 setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS),
                 // The varyings are built in place. If a loop built them, they would be copied into `planes` afterwards.
                 varyings: L::map(&lanes, |&lane| Varying {
-                    tolerance: mode.affine_within(tolerance(lane)).min(MOST_TOLERANCE),
+                    tolerance: mode
+                        .affine_within(tolerance(lane))
+                        .map(|units| units.min(MOST_TOLERANCE)),
                     ..Varying::UNSET
                 }),
             },

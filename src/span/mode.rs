@@ -19,7 +19,8 @@ use crate::shade::{Lanes, Tolerance};
 ///
 /// | mode | error in texels (256x256 texture, 320x240 frame) | work per pixel | for |
 /// |---|---|---|---|
-/// | [`Newton`], the default | 0.001 | one Newton step of a reciprocal | all but the smallest cores |
+/// | [`Newton`], the default | 0.001; in small triangles, plus 1/32 | one Newton step of a reciprocal | all but the smallest cores |
+/// | [`Newton::NARROW`] | 0.001 | the same | where 1/32 texel would show |
 /// | [`Fast`] | its tolerance, plus 1/32 | additions | Cortex-M0+, large triangles |
 /// | [`Fast::NARROW`] | 1/16 | additions | Cortex-M0+, where a larger error would show |
 /// | [`Exact`] | 0.001, up to a depth ratio of 1,000 within a triangle | a 31-bit reciprocal | a reference to compare with; 64-bit computers |
@@ -56,12 +57,12 @@ pub trait Mode: Copy + Sealed {
     #[doc(hidden)]
     const KERNEL: Plan;
 
-    /// The greatest error that a varying may have, in units of the varying, if a triangle is drawn without divisions.
-    /// With 0, no triangle is drawn without divisions.
+    /// The greatest error that a varying may have, in units of the varying, if a triangle is drawn without divisions: a
+    /// small triangle, and any other triangle. With 0, no triangle is drawn without divisions.
     #[doc(hidden)]
     #[inline]
-    fn affine_within(self, _tolerance: Tolerance) -> u32 {
-        0
+    fn affine_within(self, _tolerance: Tolerance) -> [u32; 2] {
+        [0; 2]
     }
 
     /// The plan for a triangle that is not affine.
@@ -151,8 +152,8 @@ impl Mode for Exact {
 /// in mode [`Newton`], and 2 to 2.7 times the instructions. On a core without 64-bit products, it takes 3 to 5 times
 /// the instructions of [`Fast`].
 ///
-/// The error is at most as large as in [`Newton`]. Stored depths may differ by a step from the depths of the other
-/// modes, so do not use `Compact` and another mode with one depth buffer.
+/// The error is at most as large as in [`Newton::NARROW`]. Stored depths may differ by a step from the depths of the
+/// other modes, so do not use `Compact` and another mode with one depth buffer.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Compact};
@@ -199,9 +200,10 @@ impl Mode for Affine {
 ///
 /// - A row in which 1/w hardly changes, such as a row of a floor under a camera that does not roll, is drawn linearly
 ///   if the error is at most 16 units.
-/// - A triangle that hardly changes in depth is drawn linearly if the error is within the shader's tolerance
-///   ([`Varyings`](crate::shade::Varyings)): 16 units of a texture coordinate, an eighth of a step of a color. This
-///   covers nearly all triangles of a model with vertex colors.
+/// - A triangle that hardly changes in depth is drawn linearly if the error is within a tolerance: for a color, the
+///   shader's tolerance of an eighth of a step ([`Varyings`](crate::shade::Varyings)); for a texture coordinate, 1/32
+///   texel if the triangle is small (its width and its height add up to at most 43 pixels), and 1/4096 texel if not.
+///   This covers nearly all triangles of a model. [`Newton::NARROW`] allows 1/4096 texel in small triangles, too.
 ///
 /// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
 /// edge. So bands have the same pixels as whole frames.
@@ -213,12 +215,32 @@ impl Mode for Affine {
 /// use fixel::{DrawOptions, mode::Newton};
 /// let default: DrawOptions<Newton> = DrawOptions::new();
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Newton;
+pub struct Newton {
+    /// The greatest error of a texture coordinate in a small triangle that is drawn linearly, in units of 2^-16 texel.
+    tolerance: u32,
+}
 
-/// The error that a texture coordinate may have where no division takes place: 1/4096 texel.
-const TEXEL_TOLERANCE: u32 = 16;
+impl Newton {
+    /// A tolerance of 1/4096 texel in small triangles, too, so that the total error is at most 0.001 texel everywhere.
+    /// Compared with the default, a model of many small textured triangles takes longer.
+    ///
+    /// ```
+    /// use fixel::{DrawOptions, mode::Newton};
+    /// let options = DrawOptions::new().with_mode(Newton::NARROW);
+    /// ```
+    pub const NARROW: Self = Self { tolerance: 1 << 4 };
+
+    /// The default, for constants: a tolerance of 1/32 texel in small triangles.
+    pub(crate) const DEFAULT: Self = Self { tolerance: 1 << 11 };
+}
+
+impl Default for Newton {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
 
 /// The most bits that |q′| may have in a row along which 1/w hardly changes.
 const LEVEL: u32 = 8;
@@ -249,10 +271,10 @@ impl Mode for Newton {
     const KERNEL: Plan = Plan::Newton;
 
     #[inline]
-    fn affine_within(self, tolerance: Tolerance) -> u32 {
+    fn affine_within(self, tolerance: Tolerance) -> [u32; 2] {
         match tolerance {
-            Tolerance::Texels => TEXEL_TOLERANCE,
-            Tolerance::Units(units) => units,
+            Tolerance::Texels => [self.tolerance, Self::NARROW.tolerance],
+            Tolerance::Units(units) => [units; 2],
         }
     }
 
@@ -399,10 +421,10 @@ impl Mode for Fast {
     const KERNEL: Plan = Plan::Pieces(0);
 
     #[inline]
-    fn affine_within(self, tolerance: Tolerance) -> u32 {
+    fn affine_within(self, tolerance: Tolerance) -> [u32; 2] {
         match tolerance {
-            Tolerance::Units(units) if self.tolerance > 0 => units,
-            _ => self.tolerance,
+            Tolerance::Units(units) if self.tolerance > 0 => [units; 2],
+            _ => [self.tolerance; 2],
         }
     }
 
@@ -556,7 +578,8 @@ mod tests {
 
     #[test]
     fn triangles_beyond_a_limit_take_another_plan() {
-        let newton = |least, step, bits| Newton.of_triangle(&triangle(least, step, bits));
+        let newton =
+            |least, step, bits| Newton::default().of_triangle(&triangle(least, step, bits));
         let shallow = SHALLOW + 1;
         let step = (shallow >> 6).cast_signed();
         assert_eq!(newton(shallow, step, [28, 28]), Plan::Newton);
@@ -593,17 +616,20 @@ mod tests {
         }
     }
 
-    /// Newton and Fast draw a triangle affinely within a tolerance; the other modes never do.
+    /// Newton and Fast draw a triangle affinely within a tolerance; the other modes never do. Only Newton has a wider
+    /// tolerance in small triangles, and only for texels.
     #[test]
     fn only_modes_with_a_tolerance_leave_out_divisions() {
-        fn within<M: Mode>(mode: M) -> [u32; 2] {
+        fn within<M: Mode>(mode: M) -> [[u32; 2]; 2] {
             [Tolerance::Texels, Tolerance::Units(5)].map(|of| mode.affine_within(of))
         }
-        assert_eq!(within(Newton), [TEXEL_TOLERANCE, 5]);
-        assert_eq!(within(Fast::within(fx!(0.25))), [1 << 14, 5]);
-        assert_eq!(within(Fast::within(fx!(0))), [0, 0]);
-        assert_eq!(within(Fast::within(fx!(-1))), [0, 0]);
-        assert_eq!(within(Exact), [0, 0]);
-        assert_eq!(within(Compact), [0, 0]);
+        assert_eq!(within(Newton::default()), [[1 << 11, 1 << 4], [5; 2]]);
+        assert_eq!(within(Newton::NARROW), [[1 << 4; 2], [5; 2]]);
+        assert_eq!(within(Fast::within(fx!(0.25))), [[1 << 14; 2], [5; 2]]);
+        for mode in [Fast::within(fx!(0)), Fast::within(fx!(-1))] {
+            assert_eq!(within(mode), [[0; 2]; 2]);
+        }
+        assert_eq!(within(Exact), [[0; 2]; 2]);
+        assert_eq!(within(Compact), [[0; 2]; 2]);
     }
 }

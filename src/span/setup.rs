@@ -23,8 +23,9 @@ pub(super) const SHALLOW: u32 = (1 << 29) + 64;
 pub(crate) struct Varying {
     /// The varying's values at the corners of the mesh's triangle.
     pub(super) corners: [i32; 3],
-    /// The greatest error that the varying may have if the triangle is drawn affinely.
-    pub(super) tolerance: u32,
+    /// The greatest error that the varying may have if the triangle is drawn affinely: in a small triangle, and in other
+    /// triangles.
+    pub(super) tolerance: [u32; 2],
     /// The varying over w, or the varying itself.
     pub(super) interpolant: Interpolant,
     pub(super) scale: Scale,
@@ -34,7 +35,7 @@ impl Varying {
     /// All bits 0: a varying before the first triangle.
     pub(super) const UNSET: Self = Self {
         corners: [0; 3],
-        tolerance: 0,
+        tolerance: [0; 2],
         interpolant: Interpolant::NONE,
         scale: Scale::UNSET,
     };
@@ -74,7 +75,7 @@ impl Varying {
     }
 
     /// Whether the varying may be interpolated without regard to 1/w. `range` is the varying's range, `least` is the
-    /// least 1/w, and `change` is the range of 1/w.
+    /// least 1/w, and `change` is the range of 1/w. `is_small` chooses the tolerance.
     ///
     /// Let q be 1/w and f the varying, both at the corners, and λ the barycentric weights of a pixel; their sum is 1.
     /// The affine value is Σλf, the exact value is Σλqf / Σλq. Their difference is the covariance of q and f, weighted
@@ -82,9 +83,11 @@ impl Varying {
     /// the mean is at least `least`. So the error is at most `change` · range of f / (4 · `least`), which must be below
     /// the tolerance.
     #[inline]
-    fn is_affine(&self, range: u32, least: u32, change: u32) -> bool {
+    fn is_affine(&self, range: u32, [least, change]: [u32; 2], is_small: bool) -> bool {
+        let [small, large] = self.tolerance;
+        let tolerance = if is_small { small } else { large };
         product(range.cast_signed(), change.cast_signed())
-            < product((4 * self.tolerance).cast_signed(), least.cast_signed())
+            < product((4 * tolerance).cast_signed(), least.cast_signed())
     }
 }
 
@@ -196,7 +199,7 @@ impl Setup {
         let affine = if self.is_linear && !self.is_paired {
             None
         } else {
-            self.affine_range(varyings, change)
+            self.affine_range(varyings, change, true)
         };
         let affine = affine.map(|range| range << Scale::AFFINE_UP);
         match (affine, &mut *varyings) {
@@ -226,6 +229,8 @@ impl Setup {
                 straight(self.q.is_small)
             }
             (affine, varyings) => {
+                // So far, the tolerance was that of a small triangle.
+                let affine = affine.and_then(|_| self.affine_range(varyings, change, false));
                 if !cfg!(for_size)
                     && affine.is_none()
                     && self.is_small_over_w()
@@ -250,7 +255,7 @@ impl Setup {
     ) -> Plan {
         let wide = WideBasis::new(patch);
         wide.set_up(signed(q), &mut self.q);
-        let is_affine = !self.is_linear && self.affine_range(varyings, change).is_some();
+        let is_affine = !self.is_linear && self.affine_range(varyings, change, false).is_some();
         self.set_up_varyings(varyings, (Basis::NONE, Some(wide)), (q, is_affine), patch)
     }
 
@@ -296,13 +301,14 @@ impl Setup {
         self.q.set_level(at.q.cast_signed());
     }
 
-    /// The widest range of the varyings, if all may be interpolated without regard to 1/w.
+    /// The widest range of the varyings, if all may be interpolated without regard to 1/w. `is_small` chooses the
+    /// tolerance.
     #[inline]
-    fn affine_range(&self, varyings: &[Varying], change: u32) -> Option<u32> {
+    fn affine_range(&self, varyings: &[Varying], change: u32, is_small: bool) -> Option<u32> {
         let mut widest = 0;
         for varying in varyings {
             let range = varying.affine_range()?;
-            if !self.is_linear && !varying.is_affine(range, self.least, change) {
+            if !self.is_linear && !varying.is_affine(range, [self.least, change], is_small) {
                 return None;
             }
             widest = range.max(widest);
@@ -472,11 +478,16 @@ mod tests {
     #[test]
     fn a_varying_is_affine_below_its_tolerance() {
         let with = |tolerance, range, change| {
-            let varying = Varying {
-                tolerance,
-                ..Varying::UNSET
+            let is_affine = |tolerance, is_small| {
+                let varying = Varying {
+                    tolerance,
+                    ..Varying::UNSET
+                };
+                varying.is_affine(range, [1 << 30, change], is_small)
             };
-            varying.is_affine(range, 1 << 30, change)
+            let small = is_affine([tolerance, 0], true);
+            assert_eq!(small, is_affine([0, tolerance], false));
+            small
         };
         // 2^20 · 2^16 / (4 · 2^30) is 16.
         assert!(with(16, (1 << 16) - 1, 1 << 20) && with(17, 1 << 16, 1 << 20));

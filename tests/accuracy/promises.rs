@@ -163,11 +163,12 @@ struct Worst {
 ///
 /// For each repeat, an interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat. For a product of 1, this is 2⁻⁶ · 4¼
 /// units of 2⁻¹⁶ texel, and 56½ times as much is 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ +
-/// 1 units; 0.001 texel is 65½ units. `Newton` adds 28½ units where a row is straight, or 8 units for each repeat,
-/// whichever is larger. `Newton` also adds 16 units, or 21.2 units for one repeat without a far corner. So the
+/// 1 units; 0.001 texel is 65½ units. `Newton::NARROW` adds 28½ units where a row is straight, or 8 units for each repeat,
+/// whichever is larger. It also adds 16 units, or 21.2 units for one repeat without a far corner. So the
 /// derivation proves the promise up to a product of 4 for one repeat, and of 5 for two. A larger error needs roundings
 /// that all have the same sign, in a row that is as level as possible. Up to a product of 16, this test shows that the
-/// promise is kept. `Fast` can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to
+/// promise is kept. The default adds its tolerance in small triangles, where nothing else adds more than 10 units (see
+/// `bounds::newton`); elsewhere, it draws as `Newton::NARROW` does. `Fast` can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to
 /// 0.0297 texel (see `bounds::fast`). For more repeats, they use proportionally more. So the promise of `Fast` is for
 /// one repeat, at the span's farthest pixel.
 ///
@@ -284,7 +285,8 @@ impl Case {
                         "{}: {value} is beyond the corners",
                         at()
                     );
-                    if let (Mode::Newton, Some(allowed)) = (mode, attribute.newton_from_exact) {
+                    if let (Mode::NewtonNarrow, Some(allowed)) = (mode, attribute.newton_from_exact)
+                    {
                         let by = seen.values[k].abs_diff(exact.values[k]);
                         assert!(f64::from(by) <= allowed, "{}, an error of {by}", at());
                     }
@@ -357,7 +359,7 @@ fn deep_triangles_keep_the_promises() {
         case.check(&mut worst);
     });
     print("deep triangles", &worst);
-    let [exact, _, newton, ..] = worst;
+    let [exact, _, _, newton, ..] = worst;
     // With ten other seeds and all triangles, both numbers were 1.95 to 2.49 million.
     for judged in [exact.deep, newton.unpromised] {
         assert!(judged > sampled(1_500_000) as usize, "{judged}");
@@ -400,18 +402,57 @@ fn errors_of_deep_triangles_come_close_to_the_bound() {
             [0.945_861_383_335_324, 0.551_338_212_426_916_8, 1.],
         ],
     };
-    for (case, modes) in [(newton, 1..3), (exact, 0..1)] {
+    for (case, modes) in [
+        (newton, [Mode::Compact, Mode::NewtonNarrow]),
+        (exact, [Mode::Exact; 2]),
+    ] {
         let mut worst = [Worst::default(); MODES];
         case.check(&mut worst);
-        for (mode, worst) in Mode::PERSPECTIVE
-            .iter()
-            .zip(worst)
-            .take(modes.end)
-            .skip(modes.start)
-        {
+        let of_mode = Mode::PERSPECTIVE.into_iter().zip(worst);
+        for (mode, worst) in of_mode.filter(|(mode, _)| modes.contains(mode)) {
             println!("{mode:?}: {:.3} of what is stated", worst.stated);
             assert!(worst.stated > 0.55, "{mode:?}: {}", worst.stated);
         }
+    }
+}
+
+/// A triangle is drawn affinely if the error of its texture coordinates is below the tolerance: 1/32 texel by default if
+/// the triangle is small (its width and its height add up to at most 43 pixels), otherwise 1/4096 texel.
+#[test]
+fn only_small_triangles_are_drawn_affinely_within_a_32nd_of_a_texel() {
+    // The largest error in a triangle whose sides along the axes have this length, in units. Let r be the ratio of the
+    // distances of its corners. A triangle that is drawn affinely has an error of a quarter of 8 texels times r − 1.
+    let error = |mode, side: f64, texels: f64| {
+        let near = 1. / (1. + 4. * texels / 8.);
+        let case = Case {
+            screen: [[100., 100.], [100. + side, 100.], [100., 100. + side]],
+            inverse_w: [1., near, near].map(|q| q / 64.),
+            uv: [[0., 8. / 256., 8. / 256.]; 2],
+        };
+        let triangle = case.triangle().unwrap();
+        let model = triangle.model(triangle.screen().unwrap());
+        let errors = triangle
+            .draw(mode)
+            .into_iter()
+            .zip(model)
+            .map(|(seen, model)| {
+                let [u, _] = seen.values;
+                (f64::from(u) - model.values[0]).abs()
+            });
+        errors.fold(0., f64::max)
+    };
+    let (tolerance, promised) = (TEXEL / 32., 0.001 * TEXEL);
+    let below = error(Mode::Newton, 21., 0.99 / 32.);
+    // A pixel is at most half a pixel, a 42nd of the side, away from the line with the largest error. There, the error is
+    // smaller by (2/42)². 1/w changes by 1/64, so the error is smaller by 1/64 than the bound, too.
+    assert!(below > 0.95 * tolerance && below < tolerance, "{below}");
+    for (mode, side, texels) in [
+        (Mode::Newton, 21., 1.01 / 32.),
+        (Mode::Newton, 22., 0.99 / 32.),
+        (Mode::NewtonNarrow, 21., 0.99 / 32.),
+    ] {
+        let other = error(mode, side, texels);
+        assert!(other < promised, "{mode:?}, {side}, {texels}: {other}");
     }
 }
 

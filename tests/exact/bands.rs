@@ -123,7 +123,7 @@ impl Scene {
     /// Checks the scene in every mode that differs from the others in perspective.
     fn check_perspective(&self, mvp: &Mvp) {
         self.check_mode(Exact, mvp);
-        self.check_mode(Newton, mvp);
+        self.check_mode(Newton::default(), mvp);
         // With the first tolerance, the mode draws whole spans at once, with the second, a few pixels at once, and with
         // the third, single pixels.
         self.check_mode(Fast::within(fx!(4)), mvp);

@@ -36,7 +36,7 @@ fn depths<F: DepthBuffer>(
 /// Checks that a shader is drawn with depths equal to the depths of a plain color.
 fn check<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp, mode: impl Mode) {
     let (plain, skin) = (Flat::new(Rgb565::default()), Textured::new(&SKIN));
-    let plain = depths::<F>(mesh, (Newton, test), mvp, &plain);
+    let plain = depths::<F>(mesh, (Newton::default(), test), mvp, &plain);
     let depths = depths::<F>(mesh, (mode, test), mvp, &Erased::new(&skin));
     let differ = depths.iter().zip(&plain).filter(|(a, b)| a != b).count();
     assert_eq!(differ, 0, "{}", type_name_of_val(&mode));
@@ -44,7 +44,7 @@ fn check<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp, mode
 
 /// Checks the modes with the most and with the least work for a span.
 fn check_ends<F: DepthBuffer, Z: DepthTest>(mesh: &Mesh<'_>, test: Z, mvp: &Mvp) {
-    check::<F, Z>(mesh, test, mvp, Newton);
+    check::<F, Z>(mesh, test, mvp, Newton::default());
     check::<F, Z>(mesh, test, mvp, Affine);
 }
 
@@ -165,8 +165,8 @@ fn hidden_pixels_change_no_other_pixel() {
             let run = random.random_range(1..90);
             stored.resize(pixels.min(stored.len() + run), u16::from(hides) * 0xffff);
         }
-        check_hidden::<Rgb565>(&mesh, Newton, &stored);
-        check_hidden::<Gray4>(&mesh, Newton, &stored);
+        check_hidden::<Rgb565>(&mesh, Newton::default(), &stored);
+        check_hidden::<Gray4>(&mesh, Newton::default(), &stored);
         check_hidden::<Gray4>(&mesh, Affine, &stored);
         check_hidden::<Rgb565>(&mesh, Fast::NARROW, &stored);
         check_hidden::<Gray4>(&mesh, Exact, &stored);

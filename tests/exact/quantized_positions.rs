@@ -105,7 +105,7 @@ impl Model {
         assert_eq!(hasher.hash_one(one), hasher.hash_one(other), "{self:?}");
         assert_eq!(long.counts(), short.counts());
         assert!(
-            drawn(&long, mvp, Newton) == drawn(&short, mvp, Newton),
+            drawn(&long, mvp, Newton::default()) == drawn(&short, mvp, Newton::default()),
             "{self:?}, {mvp:?}"
         );
     }

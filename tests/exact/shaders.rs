@@ -140,21 +140,26 @@ fn check_wrappers<S: ShaderFor<Rgb565>>(mode: impl Mode, shader: S) {
 #[test]
 fn a_wrapper_of_ten_lines_draws_the_same() {
     let skin = Textured::new(&SKIN);
-    check_wrappers(Newton, skin.lit(sun()));
+    check_wrappers(Newton::default(), skin.lit(sun()));
     check_wrappers(Exact, skin.lit(sun()));
     check_wrappers(Fast::within(fx!(0.25)), skin.lit(sun()));
     check_wrappers(Affine, skin.lit(sun()));
-    check_wrappers(Newton, skin.clamped().bilinear().lit_faces(sun()));
     check_wrappers(
-        Newton,
+        Newton::default(),
+        skin.clamped().bilinear().lit_faces(sun()),
+    );
+    check_wrappers(
+        Newton::default(),
         FaceColors::new(&[Rgb565::RED, Rgb565::BLUE]).tinted(),
     );
     // The wrapper also works in itself and inside another shader.
-    let lit = picture(&|canvas| everything(canvas, Newton, &skin.lit(sun())));
-    assert!(padded(Newton, Same(skin).lit(sun())) == lit);
-    assert!(padded(Newton, Same(Same(skin.lit(sun())))) == lit);
+    let lit = picture(&|canvas| everything(canvas, Newton::default(), &skin.lit(sun())));
+    assert!(padded(Newton::default(), Same(skin).lit(sun())) == lit);
+    assert!(padded(Newton::default(), Same(Same(skin.lit(sun())))) == lit);
     // A rasterizer of its own draws the wrapper, too.
-    assert!(picture(&|canvas| everything(canvas, Newton, &Same(skin.lit(sun())))) == lit);
+    assert!(
+        picture(&|canvas| everything(canvas, Newton::default(), &Same(skin.lit(sun())))) == lit
+    );
 }
 
 /// The colors of a surface reach a light in full precision through a wrapper.
@@ -384,7 +389,7 @@ fn colors_of_small_triangles_are_within_a_step_of_the_exact_ones() {
             Rgb888::new(channel(r), channel(g), channel(b))
         });
         let [fast, exact] = [
-            small_triangle(places, &colors, Newton),
+            small_triangle(places, &colors, Newton::default()),
             small_triangle(places, &colors, Exact),
         ];
         for (fast, exact) in fast.into_iter().zip(exact) {

@@ -121,7 +121,10 @@ where
     };
     let shader = &Bits::<N>;
     check(Mode::Exact, call.check(&options.with_mode(Exact), shader));
-    check(Mode::Newton, call.check(&options.with_mode(Newton), shader));
+    check(
+        Mode::Newton,
+        call.check(&options.with_mode(Newton::default()), shader),
+    );
     let fast = call.check(&options.with_mode(Fast::within(tolerance)), shader);
     check(Mode::Fast(tolerance.max(fx!(0))), fast);
     check(Mode::Affine, call.check(&options.with_mode(Affine), shader));

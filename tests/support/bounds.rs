@@ -73,7 +73,9 @@ impl Bound {
         match mode {
             Mode::Exact if is_precise(corners_w) => anew(corners, corners_w),
             Mode::Exact | Mode::Compact => stepped(),
-            Mode::Newton => stepped().plus(newton(corners, corners_w)),
+            Mode::Newton | Mode::NewtonNarrow => {
+                stepped().plus(mode.tolerance() * TEXEL + newton(corners, corners_w))
+            }
             Mode::Fast(_) => Self {
                 in_rows: true,
                 ..stepped().plus(mode.tolerance() * TEXEL + fast(corners))
@@ -217,9 +219,10 @@ fn lifted(w: [f64; 3]) -> f64 {
 /// numerator is rounded down to a unit, like the exact quotient.
 ///
 /// Where division would make almost no difference, `Newton` does not divide:
-/// - A triangle that hardly changes in depth is drawn affinely. The triangle's error is the error that the shader
-///   allows (16 units by default), plus the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of
-///   rounding. This sum is less than the sum of the next item.
+/// - A triangle that hardly changes in depth is drawn affinely. The triangle's error is the error that is allowed, plus
+///   the error of numerators with 30 bits (a quarter of 36½ units), plus a unit of rounding. For a texture coordinate,
+///   `Newton::NARROW` allows 16 units. This sum is less than the sum of the next item. The default allows 1/32 texel in
+///   small triangles: this tolerance is added to the bound.
 /// - A span along which 1/w hardly changes is drawn straight, in quarter units of the attribute. The tangent at the
 ///   middle of the span has an error of 16 whole units at the span's ends. Where Q is least, a reciprocal below 2³¹ has
 ///   31 bits. The reciprocal contributes ½ to the error of a value below 2²⁹, and rounding contributes another ½:
@@ -274,7 +277,7 @@ fn is_far(corners_w: [f64; 3]) -> bool {
     farthest > 4.001 * nearest
 }
 
-/// The largest difference between `Newton` and `Exact` if both have the same interpolants. Both modes have the same
+/// The largest difference between `Newton::NARROW` and `Exact` if both have the same interpolants. Both modes have the same
 /// interpolants if a corner is far, but not so far that `Exact` recomputes the interpolants. Both modes round down to a
 /// unit, and `Exact` loses half a unit more.
 pub fn newton_from_exact(corners: [i32; 3], corners_w: [f64; 3]) -> Option<f64> {

@@ -11,7 +11,10 @@ use fixel::view::ProjectionKind;
 pub enum Mode {
     Exact,
     Compact,
+    /// `Newton::default()`.
     Newton,
+    /// `Newton::NARROW`.
+    NewtonNarrow,
     /// `Fast` with a tolerance in texels.
     Fast(Scalar),
     Affine,
@@ -22,10 +25,11 @@ impl Mode {
     pub const NARROW: Self = Self::Fast(fx!(0.03125));
 
     /// The modes that interpolate with perspective correction.
-    pub const PERSPECTIVE: [Self; 8] = [
+    pub const PERSPECTIVE: [Self; 9] = [
         Self::Exact,
         Self::Compact,
         Self::Newton,
+        Self::NewtonNarrow,
         Self::Fast(fx!(0)),
         Self::NARROW,
         Self::Fast(fx!(0.0625)),
@@ -46,7 +50,7 @@ impl Mode {
     pub fn in_parallel(self) -> Self {
         match self {
             Self::Exact | Self::Compact => self,
-            Self::Newton | Self::Fast(_) | Self::Affine => Self::Affine,
+            Self::Newton | Self::NewtonNarrow | Self::Fast(_) | Self::Affine => Self::Affine,
         }
     }
 
@@ -54,7 +58,8 @@ impl Mode {
     /// texture of 256 texels in a picture of 320x240.
     pub fn promised(self) -> f64 {
         match self {
-            Self::Exact | Self::Compact | Self::Newton => 0.001,
+            Self::Exact | Self::Compact | Self::NewtonNarrow => 0.001,
+            Self::Newton => self.tolerance() + 0.001,
             Self::Fast(_) => self.tolerance() + 1. / 32.,
             Self::Affine => f64::INFINITY,
         }
@@ -63,6 +68,7 @@ impl Mode {
     /// The tolerance of this mode, in texels.
     pub fn tolerance(self) -> f64 {
         match self {
+            Self::Newton => 1. / 32.,
             Self::Fast(texels) => f64::from(texels),
             _ => 0.,
         }
@@ -80,7 +86,12 @@ impl Mode {
         match self {
             Self::Exact => canvas.draw_with(&options.with_mode(Exact), mesh, mvp, shader),
             Self::Compact => canvas.draw_with(&options.with_mode(Compact), mesh, mvp, shader),
-            Self::Newton => canvas.draw_with(&options.with_mode(Newton), mesh, mvp, shader),
+            Self::Newton => {
+                canvas.draw_with(&options.with_mode(Newton::default()), mesh, mvp, shader)
+            }
+            Self::NewtonNarrow => {
+                canvas.draw_with(&options.with_mode(Newton::NARROW), mesh, mvp, shader)
+            }
             Self::Fast(texels) => {
                 canvas.draw_with(&options.with_mode(Fast::within(texels)), mesh, mvp, shader)
             }

@@ -5,7 +5,7 @@
 //! turn is one walk around the pond. For each frame, or for each band of it, a program calls
 //!
 //! ```ignore
-//! world::draw(&mut canvas, Newton, Rate::rpm(8).angle_at(now_ms))?;
+//! world::draw(&mut canvas, Newton::default(), Rate::rpm(8).angle_at(now_ms))?;
 //! ```
 //!
 //! | file | contents |

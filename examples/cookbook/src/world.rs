@@ -26,7 +26,7 @@ pub fn turn_of(frame: u32) -> Angle {
 ///
 /// None.
 pub fn walk(canvas: &mut Frame<'_>, turn: Angle) -> Result<(), Error> {
-    garden::draw(canvas, Newton, turn)
+    garden::draw(canvas, Newton::default(), turn)
 }
 
 /// Draws the moment that the documentation shows. The firmware draws the same moment.

@@ -54,7 +54,7 @@ mod firmware {
         );
         let mut bench = Bench::new(clock);
         run_mode(&mut bench, "exact", Exact)?;
-        run_mode(&mut bench, "newton", Newton)?;
+        run_mode(&mut bench, "newton", Newton::default())?;
         run_mode(&mut bench, "fast", Fast::within(fx!(0.25)))?;
         run_mode(&mut bench, "affine", Affine)?;
         for way in Way::all() {

@@ -42,7 +42,11 @@ mod firmware {
 
     /// The little world at the moment that the cookbook shows.
     fn draw_world(canvas: &mut Frame<'_>) -> Result<(), Error> {
-        world::draw(canvas, Newton, Angle::from_bits(u32::MAX / 64 * 13))
+        world::draw(
+            canvas,
+            Newton::default(),
+            Angle::from_bits(u32::MAX / 64 * 13),
+        )
     }
 
     fn run() -> Result<(), Error> {

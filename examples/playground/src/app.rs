@@ -189,7 +189,8 @@ impl App {
             count.set(count.get() + 1);
             Some(color)
         });
-        self.bench(slot, view)?.draw(view, Newton, |_, _| counter)?;
+        self.bench(slot, view)?
+            .draw(view, Newton::default(), |_, _| counter)?;
         Ok([drawn.submitted, drawn.drawn, drawn.clipped, count.get()])
     }
 

@@ -9,7 +9,7 @@ macro_rules! in_mode {
                 $work
             }
             1 => {
-                let $mode = ::fixel::mode::Newton;
+                let $mode = ::fixel::mode::Newton::default();
                 $work
             }
             2 => {

@@ -235,6 +235,7 @@ impl fmt::Display for Mode<'_> {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.name() {
             "Fast" => write!(to, "Fast::within(fx!({}))", self.0.tolerance),
+            "Newton" => to.write_str("Newton::default()"),
             name => to.write_str(name),
         }
     }

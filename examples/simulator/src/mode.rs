@@ -24,7 +24,7 @@ impl Mode {
     pub fn new(mode: args::Mode, texel: f64) -> Result<Self> {
         Ok(match mode {
             args::Mode::Exact => Self::Exact(Exact),
-            args::Mode::Newton => Self::Newton(Newton),
+            args::Mode::Newton => Self::Newton(Newton::default()),
             // The tolerance is limited to the number format. A larger tolerance would exceed any texture.
             args::Mode::Fast => Self::Fast(Fast::within(Scalar::try_from(
                 (TOLERANCE * texel).min(32_767.0),

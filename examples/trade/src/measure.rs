@@ -15,9 +15,10 @@ use support::reference::scenes::SIZE;
 use support::reference::view::View;
 
 /// The modes, with their names in tables and in tests/instructions.csv. To measure another mode, add a line.
-pub const MODES: [(&str, Mode); 4] = [
+pub const MODES: [(&str, Mode); 5] = [
     ("exact", Mode::Exact),
     ("newton", Mode::Newton),
+    ("narrow", Mode::NewtonNarrow),
     ("fast", Mode::Fast(fx!(0.25))),
     ("affine", Mode::Affine),
 ];

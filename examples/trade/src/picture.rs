@@ -63,7 +63,7 @@ pub fn save(path: &Path, rows: &[Row]) -> Result<()> {
     chart(&paper, &left, rows)?;
     let (upper, lower) = right.split_vertically(VIEW);
     view(&upper, rows, "affine", Affine)?;
-    view(&lower, rows, "newton", Newton)?;
+    view(&lower, rows, "newton", Newton::default())?;
     paper.present()?;
     drop((paper, left, right, upper, lower));
 
@@ -91,7 +91,10 @@ fn style(mode: &str) -> (&str, RGBColor) {
 fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
     let mut lines = Vec::new();
     for (scene, words, mark) in SCENES {
-        let rows = rows.iter().filter(|row| row.scene == scene);
+        // Modes without a cost are left out: `Newton::NARROW` draws these scenes as `Newton` does.
+        let rows = rows
+            .iter()
+            .filter(|row| row.scene == scene && row.is_counted());
         let points: Vec<(&str, (f64, f64))> = rows
             .map(|row| Ok((row.mode, (row.cost()?, row.max.max(LEAST_ERROR)))))
             .collect::<Result<_>>()?;

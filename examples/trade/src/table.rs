@@ -23,6 +23,11 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether the instructions of a frame are known.
+    pub fn is_counted(&self) -> bool {
+        self.costs.iter().all(Option::is_some)
+    }
+
     /// Millions of instructions of a frame on a Cortex-M4.
     pub fn cost(&self) -> Result<f64> {
         let Self { scene, mode, .. } = self;

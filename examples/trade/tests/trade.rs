@@ -77,21 +77,23 @@ fn scenes_are_measured_in_every_mode() {
         "planes-slivers",
         "planes-deep",
     ] {
-        for mode in ["exact", "newton", "fast", "affine"] {
+        for mode in ["exact", "newton", "narrow", "fast", "affine"] {
             let (max, mean, costs) = rows.remove(&(scene, mode)).expect(scene);
             assert!(mean > 0. && max >= mean, "{scene} {mode}: {max} {mean}");
             match mode {
                 // The tolerance, and the 1/32 that every `Fast` adds.
                 "fast" => assert!(max <= 0.25 + 1. / 32., "{scene}: {max}"),
                 "affine" => assert!(max > 0.1, "{scene}: {max}"),
+                // A small triangle may have a further error of 1/32 texel.
+                "newton" => assert!(max <= promised(scene) + 1. / 32., "{scene}: {max}"),
                 _ => assert!(max <= promised(scene), "{scene} {mode}: {max}"),
             }
-            let is_counted = ["floor", "cube", "sphere"].contains(&scene);
+            let is_counted = ["floor", "cube", "sphere"].contains(&scene) && mode != "narrow";
             if is_counted {
                 let [m4, m0] = costs.map(|count| count.parse::<u32>().unwrap());
                 assert!(m4 < m0, "{scene} {mode}: {m4} {m0}");
             } else {
-                assert_eq!(costs, [""; 2], "{scene}");
+                assert_eq!(costs, [""; 2], "{scene} {mode}");
             }
             if (scene, mode) == ("wall", "affine") {
                 // The guide's page of modes derives 256 · (√2 − 1) / (√2 + 1) texels. The nearest center of a pixel is

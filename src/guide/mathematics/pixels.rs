@@ -56,7 +56,7 @@
 //!     Ok(pixels[32 * 65 + 32].luma())
 //! }
 //! // At (0, 0), all weights are ⅓: (252/4) / (1 + ½ + ¼) = 36. Without w it would be 252/3.
-//! assert_eq!(middle(Newton, &mesh, &projection)?, 36);
+//! assert_eq!(middle(Newton::default(), &mesh, &projection)?, 36);
 //! assert_eq!(middle(Affine, &mesh, &projection)?, 84);
 //!
 //! // Q at thirds of the way is 1, ¾, ½ and ¼.

@@ -160,7 +160,7 @@ fn bands_equal_the_frame() {
         assert_ne!(linear.depths, floating.depths);
     }
     // Only `Compact` computes depths in its own way.
-    with_either_depth(Newton);
+    with_either_depth(Newton::default());
     with_either_depth(Compact);
     bands::<LinearDepth>(Exact);
     bands::<LinearDepth>(Fast::within(fx!(0.25)));

@@ -65,7 +65,7 @@ fn cell(worst: Worst) -> String {
 /// The table of pictures and the table of other errors, as Markdown.
 fn markdown(rows: &[&Row]) -> String {
     let mut text = String::from(
-        "| case | pixels | texels, `Newton` | texels, `Exact` | texels, `Fast` to ¼ | depth steps |\n|---|---|---|---|---|---|\n",
+        "| case | pixels | texels, `Newton::NARROW` | texels, `Exact` | texels, `Fast` to ¼ | depth steps |\n|---|---|---|---|---|---|\n",
     );
     for row in rows {
         if let Cells::Picture(verdict) = &row.cells {

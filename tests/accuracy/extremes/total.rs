@@ -95,7 +95,13 @@ fn any_mode(random: &mut Random) -> Mode {
     if random.random() {
         Mode::Fast(scalar(random))
     } else {
-        let plain = [Mode::Newton, Mode::Exact, Mode::Compact, Mode::Affine];
+        let plain = [
+            Mode::Newton,
+            Mode::NewtonNarrow,
+            Mode::Exact,
+            Mode::Compact,
+            Mode::Affine,
+        ];
         *plain.choose(random).unwrap()
     }
 }
@@ -184,7 +190,12 @@ impl Scene {
                 let white = Flat::rgb(Rgb888::new(255, 255, 255));
                 canvas.draw_with(options, mesh, mvp, &white.lit(light))
             }
-            (_, Mode::Newton) => self.draw_in(&options.with_mode(Newton), canvas, mesh, mvp),
+            (_, Mode::Newton) => {
+                self.draw_in(&options.with_mode(Newton::default()), canvas, mesh, mvp)
+            }
+            (_, Mode::NewtonNarrow) => {
+                self.draw_in(&options.with_mode(Newton::NARROW), canvas, mesh, mvp)
+            }
             (_, Mode::Exact) => self.draw_in(&options.with_mode(Exact), canvas, mesh, mvp),
             (_, Mode::Compact) => self.draw_in(&options.with_mode(Compact), canvas, mesh, mvp),
             (_, Mode::Fast(texels)) => {

@@ -4,7 +4,7 @@ use fixel::fx;
 use support::mode::Mode;
 
 /// The modes that are measured.
-pub const MODES: [Mode; 3] = [Mode::Newton, Mode::Exact, Mode::Fast(fx!(0.25))];
+pub const MODES: [Mode; 3] = [Mode::NewtonNarrow, Mode::Exact, Mode::Fast(fx!(0.25))];
 
 /// The largest of several errors, with its bound.
 #[derive(Clone, Copy, Debug, Default)]

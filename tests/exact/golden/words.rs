@@ -211,7 +211,7 @@ const WORDS: &[Word] = &[
     ("lit_faces", 0x54c1_b743, |c| {
         surface(c, &BALL, PLAIN.lit_faces(sun()?))
     }),
-    ("lit texture", 0xce1f_7c04, |c| {
+    ("lit texture", 0x3818_bf37, |c| {
         with(c, &BALL, &SKINNED.lit(sun()?))
     }),
     ("PointLight", 0x7800_d04b, |c| {
@@ -230,7 +230,7 @@ const WORDS: &[Word] = &[
         let light = sun()?.shiny(Viewer::of(&view()?), 20, fx!(0.8))?;
         surface(c, &BALL, PLAIN.lit(light))
     }),
-    ("colored", 0x13bf_26f6, |c| {
+    ("colored", 0x3a74_95eb, |c| {
         let lights = (
             sun()?.colored(Rgb888::new(200, 99, 7)),
             PointLight::new(vec3!(2, 0, 2), fx!(1), fx!(4))?,
@@ -254,7 +254,7 @@ const WORDS: &[Word] = &[
                 .in_fog(Fog::linear(Rgb888::BLUE, fx!(2.7), fx!(5))?),
         )
     }),
-    ("exponential fog", 0x05dc_7598, |c| {
+    ("exponential fog", 0x8be0_6eb5, |c| {
         surface(
             c,
             &RING,
@@ -272,7 +272,7 @@ const WORDS: &[Word] = &[
     ("Add", 0x8d63_4db1, |c| {
         by(c, &OPTIONS.with_blending(Add), &RING, &PLAIN.lit(sun()?))
     }),
-    ("Multiply", 0x2a5e_d919, |c| {
+    ("Multiply", 0xbf49_12f1, |c| {
         by(c, &OPTIONS.with_blending(Multiply), &RING, &SKINNED)
     }),
     ("dithered", 0x07ab_577e, |c| {
@@ -395,26 +395,26 @@ const WORDS: &[Word] = &[
         );
         Ok(())
     }),
-    ("viewport", 0x0a33_e320, |c| {
+    ("viewport", 0x526b_dfa1, |c| {
         let options = OPTIONS.with_viewport(Viewport::new(-13, 7, 71, 48)?);
         by(c, &options, &RING, &SKINNED)
     }),
     ("Cull::Front", 0x8afc_3ffe, |c| {
         by(c, &OPTIONS.with_cull(Cull::Front), &CUBE, &SKINNED)
     }),
-    ("NoTest", 0xb188_1922, |c| {
+    ("NoTest", 0x8b1f_a8aa, |c| {
         let options = OPTIONS.with_depth_test(NoTest).with_cull(Cull::Nothing);
         by(c, &options, &RING, &SKINNED)
     }),
     ("FloatDepth", 0x4016_7d8b, in_format::<FloatDepth>),
     ("WideFloatDepth", 0x7811_6199, in_format::<WideFloatDepth>),
-    ("DrawList", 0x2956_de48, |c| {
+    ("DrawList", 0x4cdd_c081, |c| {
         let mut list = Box::new(List::new());
         let ring = list.prepare(&OPTIONS, c.frame_size(), &RING, &view()?)?;
         c.draw_prepared(&ring, &SKINNED.lit(sun()?))?;
         Ok(())
     }),
-    ("back to front", 0x178d_d878, |c| {
+    ("back to front", 0x519e_1fc3, |c| {
         let mut list = Box::new(List::new());
         let options = OPTIONS.with_depth_test(NoTest).with_cull(Cull::Nothing);
         let glass = options.with_blending(Opacity(120));

@@ -130,7 +130,7 @@ mod firmware {
         silhouettes::measure(&mut watch, &mut frame)?;
         rows::measure(&mut watch, &mut frame)?;
         frame.measure(&mut watch, "exact", Exact)?;
-        frame.measure(&mut watch, "newton", Newton)?;
+        frame.measure(&mut watch, "newton", Newton::default())?;
         frame.measure(&mut watch, "fast", Fast::within(fx!(0.25)))?;
         frame.measure(&mut watch, "affine", Affine)?;
         frame.measure(&mut watch, "compact", Compact)?;
@@ -143,15 +143,15 @@ mod firmware {
         assert_eq!(length, Some(16), "pixels in a piece");
 
         let (skin, flat) = (Textured::new(&CHECKER), Flat::new(Rgb565::RED));
-        bench.kernel("flat", Newton, &flat, Depths::None)?;
+        bench.kernel("flat", Newton::default(), &flat, Depths::None)?;
         let (low, high) = (Rgb888::new(20, 40, 200), Rgb888::new(120, 200, 255));
         let sky = Gradient::<Rgb565>::new((fx!(-1), low), (fx!(1), high))?;
-        bench.kernel("gradient", Newton, &sky, Depths::None)?;
+        bench.kernel("gradient", Newton::default(), &sky, Depths::None)?;
         bench.kernel("affine", Affine, &skin, Depths::None)?;
         bench.kernel("fast-16", fast, &skin, Depths::None)?;
-        bench.kernel("newton", Newton, &skin, Depths::None)?;
-        bench.kernel("newton-depth-pass", Newton, &skin, Depths::Far)?;
-        bench.kernel("newton-depth-fail", Newton, &skin, Depths::Near)?;
+        bench.kernel("newton", Newton::default(), &skin, Depths::None)?;
+        bench.kernel("newton-depth-pass", Newton::default(), &skin, Depths::Far)?;
+        bench.kernel("newton-depth-fail", Newton::default(), &skin, Depths::Near)?;
         bench.kernel("narrow", Fast::NARROW, &skin, Depths::None)?;
         bench.kernel("narrow-depth-pass", Fast::NARROW, &skin, Depths::Far)?;
         bench.kernel("narrow-depth-fail", Fast::NARROW, &skin, Depths::Near)?;
@@ -160,7 +160,7 @@ mod firmware {
         // No texel has this color.
         let cut_out = skin.cut_out(Rgb565::MAGENTA);
         bench.kernel("affine-cut-out", Affine, &cut_out, Depths::None)?;
-        bench.kernel("newton-cut-out", Newton, &cut_out, Depths::None)?;
+        bench.kernel("newton-cut-out", Newton::default(), &cut_out, Depths::None)?;
         // The mipmap is made for a frame of a quarter of the size, so that no pixel shows level 0, which would not be
         // blended.
         let projection = wall::mvp(240)?.projection();
@@ -198,10 +198,15 @@ mod firmware {
         let linear = Fog::linear(Rgb565::WHITE, fx!(0.5), fx!(3))?;
         let thick = Fog::exponential(Rgb565::WHITE, fx!(0.25))?;
         bench.kernel("affine-fog", Affine, &skin.in_fog(linear), Depths::None)?;
-        bench.kernel("newton-fog", Newton, &skin.in_fog(linear), Depths::None)?;
+        bench.kernel(
+            "newton-fog",
+            Newton::default(),
+            &skin.in_fog(linear),
+            Depths::None,
+        )?;
         bench.kernel(
             "newton-fog-exponential",
-            Newton,
+            Newton::default(),
             &skin.in_fog(thick),
             Depths::None,
         )?;

@@ -25,7 +25,7 @@ static LEAVES: [Argb1555; 64 * 64] = [Argb1555::new(3, 20, 5); 64 * 64];
 
 /// Prints the costs of the floor and of the cube. [`Frame::measure`] draws the same scenes with rows.
 pub fn frames(frame: &mut Frame, watch: &mut Stopwatch) -> Result<(), Error> {
-    frames_in(frame, watch, "newton", Newton)?;
+    frames_in(frame, watch, "newton", Newton::default())?;
     frames_in(frame, watch, "fast", Fast::within(fx!(0.25)))
 }
 
@@ -53,8 +53,13 @@ pub fn kernels(bench: &mut Bench) -> Result<(), Error> {
     let texture = black_box(Texture::new(CHECKER.as_flattened(), 64, 64)?);
     let skin = Textured::new(texture);
     bench.kernel("affine-texture", Affine, &skin, Depths::None)?;
-    bench.kernel("newton-texture", Newton, &skin, Depths::None)?;
-    bench.kernel("newton-texture-depth-pass", Newton, &skin, Depths::Far)?;
+    bench.kernel("newton-texture", Newton::default(), &skin, Depths::None)?;
+    bench.kernel(
+        "newton-texture-depth-pass",
+        Newton::default(),
+        &skin,
+        Depths::Far,
+    )?;
     bench.kernel(
         "affine-texture-clamped",
         Affine,

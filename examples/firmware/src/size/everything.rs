@@ -9,7 +9,7 @@ use fixel::mode::Newton;
 use fixel::prelude::*;
 
 fn draw(pixels: &mut [Rgb565], depths: &mut [u16], now_ms: u64) -> Result<(), Error> {
-    whole::draw(pixels, depths, now_ms, Newton)
+    whole::draw(pixels, depths, now_ms, Newton::default())
 }
 
 #[cfg(not(target_os = "none"))]
