@@ -164,8 +164,9 @@ macro_rules! formats {
 
             #[inline]
             fn from_steps([r, g, b]: [i32; 3]) -> Self {
-                let [r, g, b] = [r, g, b].map(|steps| steps.cast_unsigned() as u8);
-                Self::new(r, g, b)
+                // Written without `map`, which is a loop in a build for size.
+                let byte = |steps: i32| steps.cast_unsigned() as u8;
+                Self::new(byte(r), byte(g), byte(b))
             }
 
             #[inline]
