@@ -41,16 +41,23 @@ impl Files for Disk {
 
 /// The path of a file or a folder that exists: the given path, or else a path that differs only in case.
 fn in_any_case(path: &Path) -> Option<PathBuf> {
-    if path.as_os_str().is_empty() || path.exists() {
+    if path.exists() {
         return Some(path.into());
     }
-    let folder = in_any_case(path.parent()?)?;
     let lower = |name: &OsStr| name.to_string_lossy().to_lowercase();
-    let wanted = lower(path.file_name()?);
-    let entries = fs::read_dir(Path::new(".").join(&folder)).ok()?.flatten();
-    let names = entries.map(|entry| entry.file_name());
-    let found = names.filter(|name| lower(name) == wanted).min()?;
-    Some(folder.join(found))
+    let mut found = PathBuf::new();
+    for part in path.components() {
+        let exact = found.join(part);
+        if exact.exists() {
+            found = exact;
+            continue;
+        }
+        let wanted = lower(part.as_os_str());
+        let entries = fs::read_dir(Path::new(".").join(&found)).ok()?.flatten();
+        let names = entries.map(|entry| entry.file_name());
+        found.push(names.filter(|name| lower(name) == wanted).min()?);
+    }
+    Some(found)
 }
 
 /// The folder of a model, and the files in it.
@@ -66,8 +73,9 @@ pub struct Folder<'a> {
 
 impl Folder<'_> {
     /// The path of a file that a model names. The name is relative to the folder of the file that has it, or else to
-    /// the model's folder. If there is no such file, for example because the model comes from another computer, the last
-    /// part of the name counts, and then names in another case. If nothing is found, the path is the last one tried.
+    /// the model's folder. If there is no such file, for example because the model comes from another computer, the
+    /// last part of the name counts, and then names in another case. If nothing is found, the path is the last one
+    /// tried.
     pub fn beside(&self, name: &str) -> PathBuf {
         let name = name.replace('\\', "/");
         let last = name.rsplit('/').next().unwrap_or(&name);

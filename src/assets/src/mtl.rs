@@ -1,6 +1,6 @@
 //! Reads MTL files, which describe the materials of OBJ files.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 
 use super::files::Folder;
@@ -54,7 +54,8 @@ impl Materials {
     pub fn add(&mut self, model: &mut Model, mtl: &[u8], folder: Folder<'_>) -> Result<(), String> {
         let mut skipped = "a line before the first newmtl is skipped";
         let (mut current, mut has_d, mut masks) = (None, false, Vec::new());
-        let (mut ambient, mut glows) = (Vec::new(), Vec::new());
+        // The last texture of each kind counts.
+        let (mut ambient, mut glows) = (BTreeMap::new(), BTreeMap::new());
         // Materials that state the transparency 1 and no opacity.
         let mut clear = HashSet::new();
         for (_, line) in statements(mtl, |_, _| ()) {
@@ -93,8 +94,8 @@ impl Materials {
                             map(value, notes, folder)?,
                         );
                     }
-                    b"map_Ka" => ambient.push((place, map(value, notes, folder)?)),
-                    b"map_Ke" => glows.push((place, map(value, notes, folder)?)),
+                    b"map_Ka" => drop(ambient.insert(place, map(value, notes, folder)?)),
+                    b"map_Ke" => drop(glows.insert(place, map(value, notes, folder)?)),
                     _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => {}
                     _ => notes.left_out(quote(keyword)),
                 }
@@ -175,8 +176,8 @@ pub fn byte(component: f64) -> u8 {
 }
 
 /// Reads the value of a texture statement: options with any number of values each, and then the name of a file. The
-/// name can contain blanks. Returns the path of the file, the transform of coordinates, and whether the texture is clamped
-/// along both axes.
+/// name can contain blanks. Returns the path of the file, the transform of coordinates, and whether the texture is
+/// clamped along both axes.
 fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<Map> {
     let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
     let (mut option, mut count) = (b"".as_slice(), 0);

@@ -88,9 +88,12 @@ impl Picture {
         }
     }
 
-    /// Adds the light of another picture, multiplied by `light`. The picture gets the larger size of both.
+    /// Adds the light of another picture, multiplied by `light`. The picture gets the size of the one with more pixels:
+    /// a short file could make a picture of both pictures' longer sides too large.
     pub(crate) fn add(&mut self, glow: &Self, light: [f64; 3]) {
-        let (width, height) = (self.width.max(glow.width), self.height.max(glow.height));
+        let is_larger = glow.pixels.len() > self.pixels.len();
+        let of = if is_larger { glow } else { &*self };
+        let (width, height) = (of.width, of.height);
         *self = self.resampled(width, height);
         for (pixel, glow) in self
             .pixels
@@ -105,8 +108,8 @@ impl Picture {
         }
     }
 
-    /// Replaces each alpha by the opacity that `alpha` says it means. If no pixel is visible then, makes all opaque, and
-    /// returns true.
+    /// Replaces each alpha by the opacity that `alpha` says it means. If no pixel is visible then, makes all opaque,
+    /// and returns true.
     pub fn cut(&mut self, alpha: Alpha) -> bool {
         for [.., a] in &mut self.pixels {
             *a = match alpha {
@@ -225,9 +228,9 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
-/// Refuses pictures without pixels, and pictures that are too large: for any file ([`MOST`]), or for a file of this size,
-/// because a short file must not claim much memory and time: at most 16 pixels a byte, or 4096 x 4096 pixels. So this must
-/// come before the first loop over the pixels.
+/// Refuses pictures without pixels, and pictures that are too large: for any file ([`MOST`]), or for a file of this
+/// size, because a short file must not claim much memory and time: at most 16 pixels a byte, or 4096 x 4096 pixels. So
+/// this must come before the first loop over the pixels.
 /// `most` is the largest number of pixels that the format can store in the file's bytes. Pictures of up to [`FEW`] pixels
 /// are read even if they have more.
 fn check(bytes: &[u8], most: u64, width: u64, height: u64) -> Result<(), String> {

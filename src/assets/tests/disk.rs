@@ -30,6 +30,9 @@ fn names_are_found_in_any_case() {
     ] {
         assert_eq!(Disk.find(&folder.join(name)), None, "{name}");
     }
+    // A name of any length ends at its first folder that does not exist.
+    let long = folder.join("none/".repeat(1_000_000));
+    assert_eq!(Disk.find(&long), None);
 }
 
 /// Reading one of these would never end.

@@ -660,6 +660,10 @@ fn textures_of_light_are_added_to_the_surface() {
         let found = shown(&format!("{textures}{factor}"));
         assert_eq!(found, (Some(both.clone()), [0; 3], vec![]), "{factor}");
     }
+    // The last texture of light counts, however many there are.
+    let many = "map_Ke s.png\n".repeat(100_000);
+    let found = shown(&format!("newmtl a\nmap_Kd s.png\n{many}map_Ke l.png\n"));
+    assert_eq!(found, (Some(both.clone()), [0; 3], vec![]));
     // Half of the light: 50.2, rounded.
     let half = shown(&format!("Ke 9 9 9\n{textures}Ke 0.5 0 0\n"))
         .0
@@ -691,6 +695,38 @@ fn textures_of_light_are_added_to_the_surface() {
     );
 }
 
+/// A picture of the width of one and the height of the other could fill the memory.
+#[test]
+fn light_and_surface_get_the_size_of_the_one_with_more_texels() {
+    let obj = format!("mtllib m.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\n");
+    let (short, long) = (png(&[[9; 3]; 2]), png(&[[5; 3]; 3]));
+    let mut column = std::io::Cursor::new(Vec::new());
+    let picture = image::RgbImage::from_pixel(1, 4, image::Rgb([7; 3]));
+    picture
+        .write_to(&mut column, image::ImageFormat::Png)
+        .unwrap();
+    let mtl = b"newmtl a\nmap_Kd s.png\nmap_Ke l.png\n".as_slice();
+    let column = column.into_inner();
+    for (surface, light, size, sum) in [
+        (&short, &column, (1, 4), 16),
+        (&column, &short, (1, 4), 16),
+        (&short, &long, (3, 1), 14),
+    ] {
+        let files = [
+            ("a.obj", obj.as_bytes()),
+            ("m.mtl", mtl),
+            ("s.png", surface),
+            ("l.png", light),
+        ];
+        let memory = common::memory(&files);
+        let mut model = fixel_assets::read(std::path::Path::new("a.obj"), &memory).unwrap();
+        let material = model.materials[0].clone();
+        let picture = model.texture(&material, &memory).unwrap();
+        assert_eq!((picture.width, picture.height), size);
+        assert!(picture.pixels.iter().all(|it| *it == [sum, sum, sum, 255]));
+    }
+}
+
 #[test]
 fn a_texture_of_ambient_light_serves_if_there_is_no_other() {
     let file = |mtl: &str| {
@@ -707,6 +743,7 @@ fn a_texture_of_ambient_light_serves_if_there_is_no_other() {
     assert_eq!(file("newmtl a\nmap_Ka -clamp on a.png\n"), "a.png");
     assert_eq!(file("newmtl a\nmap_Ka a.png\nmap_Kd d.png\n"), "d.png");
     assert_eq!(file("newmtl a\nmap_Kd d.png\nmap_Ka a.png\n"), "d.png");
+    assert_eq!(file("newmtl a\nmap_Ka a.png\nmap_Ka b.png\n"), "b.png");
 }
 
 #[test]
