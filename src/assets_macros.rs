@@ -40,11 +40,12 @@
 ///
 /// If another order of faces and positions takes less time to draw, the mesh gets that order. Faces stay in the part of
 /// their material, and faces that are not opaque keep their order. Files with the same faces get the same order, so they
-/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
-/// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
-/// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
-/// The colors of vertices are interpolated as sRGB. If only some corners have texture coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners
-/// without a normal get the normal of their triangle.
+/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the
+/// nearest [`Scalar`](crate::Scalar), and texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at
+/// most 65,536 positions. Polygons, including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges)
+/// are the sides of the polygons. The colors of vertices are interpolated as sRGB. If only some corners have texture
+/// coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners without a normal get the normal of
+/// their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;

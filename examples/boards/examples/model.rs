@@ -5,8 +5,8 @@
 //! model UF2 MILLISECONDS [-o picture.ppm]
 //! ```
 //!
-//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. Without `-o`, the bytes go
-//! to standard output.
+//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. Without `-o`, the bytes
+//! go to standard output.
 
 use std::error::Error;
 use std::fs;
@@ -21,7 +21,7 @@ use fixel_assets::{Disk, Files, Picture};
 use flash_model::{Board, Model, Panel, board, region, uf2, write};
 
 const USAGE: &str = "give the file of the program (such as pico.uf2), the panel (st7789 or ili9341) and the model, and \
-                     perhaps a picture and -o FILE";
+                     perhaps a picture and -o FILE; or a UF2 and a time in milliseconds, and perhaps -o FILE";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();

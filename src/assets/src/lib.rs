@@ -141,8 +141,8 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It does not
-/// name the model's file, but the line or the byte, the value, and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It does
+/// not name the model's file, but the line or the byte, the value, and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let read = || -> Result<Model, String> {
         let bytes = files.read(path);
