@@ -615,6 +615,15 @@ fn emission_is_drawn_only_with_its_texture() {
         shown(&document),
         (Some([40, 0, 60, 255]), [0; 3], vec![elsewhere.into()])
     );
+    // The same holds for another border.
+    document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(0);
+    document.root["samplers"] = json!([{"wrapS": 33071, "wrapT": 33071}, {"wrapS": 33071}]);
+    for (own, light, sum) in [(0, 1, [40, 0, 60, 255]), (1, 1, [40, 100, 255, 255])] {
+        document.root["textures"][0]["sampler"] = json!(own);
+        document.root["textures"][1]["sampler"] = json!(light);
+        assert_eq!(shown(&document).0, Some(sum));
+    }
+    document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(1);
     // Without a texture of the surface, the coordinates are those of the light.
     let uvs = document.floats("VEC2", &[0.25, 0.25, 0.5, 0.25, 0.5, 0.5, 0.25, 0.5]);
     document.primitive()["attributes"]["TEXCOORD_1"] = json!(uvs);
@@ -622,6 +631,7 @@ fn emission_is_drawn_only_with_its_texture() {
         json!({"baseColorFactor": [0, 0, 1, 1]});
     assert_eq!(shown(&document).0, Some([0, 100, 255, 255]));
     assert_eq!(self::uvs(&document.read())[0], [0.25, 0.25]);
+    assert_eq!(document.read().materials[0].clamp, [true, false]);
     // Only a factor.
     document.root["materials"][0]["emissiveTexture"] = Value::Null;
     assert_eq!(shown(&document), (None, [255; 3], vec![]));

@@ -673,13 +673,17 @@ fn textures_of_light_are_added_to_the_surface() {
     let plain = "newmtl a\nKd 0.2 0.2 0.2\nmap_Ke l.png\n";
     assert_eq!(shown(plain).0.unwrap(), [[151, 51, 51, 255]]);
     // The light lies otherwise on the faces than the surface does. Then it is not drawn, nor is its factor.
-    let moved = "newmtl a\nmap_Kd s.png\nKe 1 1 1\nmap_Ke -s 2 2 2 l.png\n";
-    let (picture, emission, notes) = shown(moved);
-    assert_eq!((picture.unwrap()[0], emission), ([10, 20, 30, 255], [0; 3]));
-    assert_eq!(
-        notes,
-        ["not drawn: emission with other texture coordinates than the surface"]
-    );
+    for options in ["-s 2 2 2", "-o 0.5", "-clamp on"] {
+        let apart = format!("newmtl a\nmap_Kd s.png\nKe 1 1 1\nmap_Ke {options} l.png\n");
+        let (picture, emission, notes) = shown(&apart);
+        assert_eq!((picture.unwrap()[0], emission), ([10, 20, 30, 255], [0; 3]));
+        assert_eq!(
+            notes,
+            ["not drawn: emission with other texture coordinates than the surface"]
+        );
+        let alike = apart.replace("map_Kd", &format!("map_Kd {options}"));
+        assert_eq!(shown(&alike), (Some(both.clone()), [0; 3], vec![]));
+    }
     // A missing picture of light leaves the surface, and a missing picture of the surface leaves its color.
     let (picture, _, notes) = shown("newmtl a\nmap_Kd s.png\nmap_Ke none.png\n");
     assert_eq!(picture.unwrap()[0], [10, 20, 30, 255]);
