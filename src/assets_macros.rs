@@ -40,11 +40,12 @@
 ///
 /// If another order of faces and positions takes less time to draw, the mesh gets that order. Faces stay in the part of
 /// their material, and faces that are not opaque keep their order. Files with the same faces get the same order, so they
-/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the nearest [`Scalar`](crate::Scalar), and
-/// texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at most 65,536 positions. Polygons,
-/// including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons.
-/// If only some corners have texture coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners
-/// without a normal get the normal of their triangle.
+/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the
+/// nearest [`Scalar`](crate::Scalar), and texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at
+/// most 65,536 positions. Polygons, including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges)
+/// are the sides of the polygons. The colors of vertices are interpolated as sRGB. If only some corners have texture
+/// coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners without a normal get the normal of
+/// their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -61,7 +62,7 @@ macro_rules! include_mesh {
 /// [`Part`](crate::mesh::Part)s for the mesh that [`include_mesh!`] makes from the same file.
 ///
 /// A part is a run of faces with one [`Material`](crate::mesh::Material). An OBJ file names its MTL files itself. Faces
-/// without a material form a white part without a name.
+/// without a material form a white part without a name. The compiler warns about textures that are not found.
 ///
 /// ```standalone_crate
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -153,7 +154,7 @@ macro_rules! include_outline {
 /// | `size = "256x256"` | the picture is resampled to this size; width and height must be powers of two, at most 32,768 |
 /// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first; with `rgb565_le`, the low byte comes first |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
-/// | `image = 1` | which picture of a model, counted from 0 |
+/// | `image = 1` | which picture of a model, counted from 0; a picture of a surface and the light that it sends out comes after the file's own pictures |
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
 /// `#![allow(long_running_const_eval)]` at the top of the program. An array must have the size of the picture. The

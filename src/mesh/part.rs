@@ -24,7 +24,9 @@ pub struct Material<'a> {
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
-    /// The name of the texture: the name of its file or, if the model contains the picture, the name of the picture.
+    /// The name of the texture: the name of its file or, if the model contains the picture, the name of the picture. If
+    /// the surface sends out light by a texture of its own, both textures are one picture: `image-5` is
+    /// `include_texture!(…, image = 5)`.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,
@@ -37,6 +39,8 @@ pub struct Material<'a> {
     /// Whether the texels at the texture's edges continue beyond these edges, along u and along v; otherwise, the
     /// texture repeats.
     pub clamp: [bool; 2],
+    /// Whether the surface has its own colors in every light. Draw it without [`lit`](crate::Shader::lit).
+    pub unlit: bool,
 }
 
 /// What the alpha of a texture means.
@@ -64,6 +68,7 @@ impl Material<'_> {
             emission: Rgb888::new(0, 0, 0),
             two_sided: true,
             clamp: [false; 2],
+            unlit: false,
         }
     }
 }

@@ -97,7 +97,7 @@ fn a_material_has_its_appearance() {
             ..named("flame", Rgb888::BLACK)
         }
     );
-    let texture = Some("label.png");
+    let texture = Some("colors.png");
     let (alpha, clamp) = (TextureAlpha::Cut(128), [true; 2]);
     assert_eq!(
         label,

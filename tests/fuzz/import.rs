@@ -1,7 +1,7 @@
 //! Reads models and pictures from arbitrary bytes, and converts them as programs do.
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use fixel_assets::vector::{Vector, length, unit};
 use fixel_assets::{Corner, Files, Lists, Model, Options, Picture};
@@ -23,8 +23,8 @@ impl Files for Bytes<'_> {
         Ok(self.0.to_vec())
     }
 
-    fn has(&self, _: &Path) -> bool {
-        true
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        Some(path.into())
     }
 }
 
@@ -68,6 +68,7 @@ pub fn model(bytes: &[u8]) {
         part: name(&materials).filter(|_| has(5)),
         object: name(&model.objects).filter(|_| has(6)),
         file_order: has(7),
+        ..Options::default()
     };
     if let Some(note) = model.merging(options.scale) {
         check_message(&note);

@@ -1,54 +1,107 @@
 //! Makes a UF2 of the program `pico_model` and a model; draws what such a UF2 shows:
 //!
 //! ```sh
-//! model PROGRAM st7789|ili9341 MODEL [PICTURE] > model.uf2
-//! model UF2 MILLISECONDS > picture.ppm
+//! model PROGRAM st7789|ili9341 MODEL [PICTURE] [-o model.uf2]
+//! model UF2 MILLISECONDS [-o picture.ppm]
 //! ```
 //!
-//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model.
+//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. Without `-o`, the bytes
+//! go to standard output.
 
 use std::error::Error;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 use boards::model::Scene;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
-use fixel_assets::{Disk, Picture};
-use flash_model::{Board, Panel, board, region, uf2, write};
+use fixel_assets::{Disk, Files, Picture};
+use flash_model::{Board, Model, Panel, board, region, uf2, write};
 
-fn main() -> Result<(), Box<dyn Error>> {
+const USAGE: &str = "give the file of the program (such as pico.uf2), the panel (st7789 or ili9341) and the model, and \
+                     perhaps a picture and -o FILE; or a UF2 and a time in milliseconds, and perhaps -o FILE";
+
+fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
-    let bytes = match args[..] {
+    match run(&args) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("error: {problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
+    let (args, to) = match args {
+        [args @ .., "-o", to] => (args, Some(Path::new(to))),
+        args => (args, None),
+    };
+    let bytes = match *args {
         [program, panel, model, ref picture @ ..] if picture.len() < 2 => {
             let panel = match panel {
                 "st7789" => Panel::St7789,
                 "ili9341" => Panel::Ili9341,
-                _ => return Err("the panel is st7789 or ili9341".into()),
+                _ => {
+                    return Err(
+                        format!("the panel is {panel}: it must be st7789 or ili9341").into(),
+                    );
+                }
             };
             let picture = match picture {
-                [path] => Some(Picture::decode(&fs::read(path)?)?),
+                [path] => Some(
+                    Picture::decode(&read(path)?)
+                        .map_err(|problem| format!("{path}: {problem}"))?,
+                ),
                 _ => None,
             };
             let mut notes = Vec::new();
-            let program = fs::read(program)?;
+            let program = read(program)?;
             let board = board(&program)?;
             let words = write(model, &Disk, picture.as_ref(), board, panel, &mut notes)?;
             for note in notes {
-                eprintln!("{note}");
+                eprintln!("note: {note}");
             }
+            let model = Model::read(&words).map_err(|problem| problem.to_string())?;
+            let triangles = model.mesh().faces().len();
+            let kilobytes = words.len().div_ceil(256);
+            eprintln!(
+                "{triangles} triangles; {kilobytes} of {} KB of flash for models",
+                board.words() / 256
+            );
             uf2(&program, &words)?
         }
-        [path, now_ms] => picture(Path::new(path), now_ms.parse()?)?,
-        _ => return Err("model PROGRAM PANEL MODEL [PICTURE], or model UF2 MILLISECONDS".into()),
+        [path, now] => {
+            let now_ms = now.parse().map_err(|_| {
+                format!("the time is {now}: it must be a whole number of milliseconds")
+            })?;
+            picture(&read(path)?, now_ms)?
+        }
+        _ => return Err(USAGE.into()),
     };
-    Ok(io::stdout().write_all(&bytes)?)
+    let Some(to) = to else {
+        return Ok(io::stdout().write_all(&bytes)?);
+    };
+    // The file appears only when it is complete.
+    let temporary = to.with_extension("part");
+    let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, to));
+    if written.is_err() {
+        let _ = fs::remove_file(&temporary);
+    }
+    written.map_err(|problem| format!("cannot write {}: {problem}", to.display()).into())
 }
 
-fn picture(path: &Path, now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
-    let bytes = region(&fs::read(path)?, Board::Pico2.flash());
+/// The bytes of a file that the user names.
+fn read(path: &str) -> Result<Vec<u8>, String> {
+    Disk.read(Path::new(path))
+        .map_err(|problem| format!("cannot read {path}: {problem}"))
+}
+
+fn picture(uf2: &[u8], now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
+    let bytes = region(uf2, Board::Pico2.flash());
     let words: Vec<u32> = bytes
         .as_chunks()
         .0

@@ -1,6 +1,6 @@
 //! Converts a model from files of a modeling program to words for flash.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use bytemuck::NoUninit;
@@ -9,13 +9,17 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::flash::{UvGrid, normal_of_8};
 use fixel::{Vec2, Vec3};
 use fixel_assets::vector::{length, sub};
-use fixel_assets::{Alpha, Files, Format, Image, Material, Model, Options, Picture};
+use fixel_assets::{Alpha, Files, Format, Material, Model, Options, Picture};
 
 use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION};
 use crate::{Board, Panel, PartRecord, TextureRecord};
 
 /// The most texels along a side of a texture. This is the least power of two that is not below the 240 rows of a panel.
 const SIDE: u32 = 256;
+/// The most positions of a mesh.
+const MOST: usize = 1 << 16;
+/// What a user can do about too many values.
+const REMEDY: &str = "save it with fewer triangles";
 /// The radius of a written model. The radius is less than 1, so that an `i16` can hold a coordinate with 15 fraction
 /// bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
@@ -35,20 +39,33 @@ pub fn write(
     notes: &mut Vec<String>,
 ) -> Result<Vec<u32>, String> {
     let path = Path::new(name);
-    let mut model = fixel_assets::read(path, files)?;
+    let of_model = |problem| format!("model {name}: {problem}");
+    let mut model = fixel_assets::read(path, files).map_err(of_model)?;
+    // Normals of a model that is far too large would take long.
+    let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
+    let used: HashSet<u32> = corners.map(|corner| corner.position).collect();
+    if used.len() > MOST {
+        let count = used.len();
+        return Err(of_model(format!(
+            "it has {count} positions: a mesh can have at most {MOST}; {REMEDY}"
+        )));
+    }
     model.complete();
-    // Lines are not drawn, and could reach beyond the faces.
+    // Lines could reach beyond the faces.
     model.edges.clear();
-    notes.extend(model.notes.iter());
+    if model.has_lines {
+        model.notes.left_out("lines");
+    }
     let options = Options {
         center: true,
         scale: fitting(&model),
         z_up: Format::of(path) == Some(Format::Stl),
+        remedy: REMEDY,
         ..Options::default()
     };
-    let of_model = |problem| format!("model {name}: {problem}");
     let lists = model.lists(&options).map_err(of_model)?;
-    let (parts, pictures) = parts(&model, files, spare, notes);
+    let (parts, pictures) = parts(&mut model, files, spare);
+    notes.extend(model.notes.iter());
 
     let (positions, fraction) = lists.quantized_positions();
     let normals = lists.normals.iter();
@@ -93,10 +110,14 @@ pub fn write(
             ..Header::default()
         };
         if words.len() <= board.words() {
-            if side < SIDE {
-                notes.push(format!(
-                    "pictures are at most {side} texels wide and high, to fit into flash"
-                ));
+            for (picture, [width, height, _]) in pictures.iter().zip(&textures) {
+                let old = [picture.width, picture.height];
+                if old.iter().any(|&old| old > side) {
+                    let [old_width, old_height] = old;
+                    notes.push(format!(
+                        "a texture of {old_width}x{old_height} texels is shrunk to {width}x{height}"
+                    ));
+                }
             }
             return Ok(sealed(words, header));
         }
@@ -143,10 +164,9 @@ fn fitting(model: &Model) -> f64 {
 
 /// Returns the parts, and the pictures that the parts use, each multiplied by its material's tint.
 fn parts(
-    model: &Model,
+    model: &mut Model,
     files: &dyn Files,
     spare: Option<&Picture>,
-    notes: &mut Vec<String>,
 ) -> (Vec<PartRecord>, Vec<Picture>) {
     let plain = Material::new(String::new());
     let mut pictures = Vec::new();
@@ -155,19 +175,12 @@ fn parts(
     let mut is_simple = true;
     for run in model.runs() {
         let material = run.material.and_then(|at| model.materials.get(at as usize));
-        let material = material.unwrap_or(&plain);
+        let material = material.unwrap_or(&plain).clone();
         let texture = material.texture.and_then(|image| {
-            *places.entry((image, material.tint)).or_insert_with(|| {
-                match picture(model, image, files) {
-                    Ok(picture) => {
-                        pictures.push(tinted(picture, material.tint));
-                        u32::try_from(pictures.len() - 1).ok()
-                    }
-                    Err(problem) => {
-                        notes.push(problem);
-                        None
-                    }
-                }
+            let key = (image, material.tint, material.alpha);
+            *places.entry(key).or_insert_with(|| {
+                pictures.push(model.texture(&material, files)?);
+                u32::try_from(pictures.len() - 1).ok()
             })
         });
         let picture = texture.and_then(|at: u32| pictures.get(at as usize));
@@ -179,7 +192,9 @@ fn parts(
         parts.push([start, end, color, texture.unwrap_or(NO_TEXTURE)]);
     }
     if !is_simple {
-        notes.push("all materials are opaque, and none sends out light".into());
+        model
+            .notes
+            .add("all materials are opaque, and none sends out light");
     }
     if let (true, Some(spare)) = (pictures.is_empty(), spare) {
         pictures.push(spare.clone());
@@ -188,31 +203,6 @@ fn parts(
         }
     }
     (parts, pictures)
-}
-
-/// Reads the picture with the index `at`, which is in a file that the model names, or in the model itself.
-fn picture(model: &Model, at: u32, files: &dyn Files) -> Result<Picture, String> {
-    let (name, bytes) = match model.images.get(at as usize) {
-        Some(Image::File(path)) => {
-            let bytes = files.read(path).map_err(|problem| problem.to_string());
-            (path.display().to_string(), bytes)
-        }
-        Some(Image::Bytes(name, bytes)) => (name.clone(), Ok(bytes.clone())),
-        None => (at.to_string(), Err("it does not exist".into())),
-    };
-    let picture = bytes.and_then(|bytes| Picture::decode(&bytes));
-    picture.map_err(|problem| format!("picture {name} cannot be read: {problem}"))
-}
-
-/// The picture with its colors multiplied by a tint.
-fn tinted(mut picture: Picture, tint: [u8; 3]) -> Picture {
-    for pixel in &mut picture.pixels {
-        for (channel, tint) in pixel.iter_mut().zip(tint) {
-            let product = u16::from(*channel) * u16::from(tint);
-            *channel = u8::try_from((product + 127) / 255).unwrap_or(u8::MAX);
-        }
-    }
-    picture
 }
 
 /// Converts pictures to textures with sides of at most `most` texels.

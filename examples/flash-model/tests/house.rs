@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
@@ -34,8 +34,8 @@ impl Files for Memory<'_> {
         bytes.ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
-    fn has(&self, path: &Path) -> bool {
-        self.read(path).is_ok()
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        self.read(path).is_ok().then(|| path.into())
     }
 }
 
@@ -53,7 +53,7 @@ fn written(
 
 fn house() -> Vec<u32> {
     let (words, notes) = written(&HOUSE, None, Board::Pico).unwrap();
-    assert_eq!(notes, Vec::<String>::new());
+    assert_eq!(notes, ["not drawn: lines"]);
     words
 }
 
@@ -73,9 +73,12 @@ fn notes_tell_what_is_left_out() {
         panic!("one note")
     };
     assert!(
-        missing.starts_with("picture a.png cannot be read: "),
+        missing.starts_with("cannot read texture a.png: "),
         "{missing}"
     );
+    assert_eq!(lantern("Tr 1"), ["Tr 1 without d is read as opaque"]);
+    let hidden = ["all faces have the opacity 0: they are drawn opaque"];
+    assert_eq!(lantern("d 0"), hidden);
 }
 
 /// Word numbers of the header.
@@ -321,7 +324,10 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
         )
     };
     let (words, notes) = large(1, 1, Some(&spare), Board::Pico).unwrap();
-    assert!(notes.is_empty(), "{notes:?}");
+    assert_eq!(
+        notes,
+        ["a texture of 4096x4096 texels is shrunk to 256x256"]
+    );
     assert_eq!(
         Model::read(&words)
             .unwrap()
@@ -337,14 +343,15 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
     let (_, notes) = large(21_845, 4, Some(&spare), Board::Pico).unwrap();
     assert_eq!(
         notes,
-        ["pictures are at most 128 texels wide and high, to fit into flash"]
+        ["a texture of 4096x4096 texels is shrunk to 128x128"]
     );
     let error = large(21_845, 6, None, Board::Pico).unwrap_err();
     assert!(error.ends_with("bytes of flash: 1835008 fit"), "{error}");
     // A Pico 2 has twice as much flash.
     large(21_845, 6, None, Board::Pico2).unwrap();
     let error = large(21_846, 1, None, Board::Pico2).unwrap_err();
-    assert!(error.contains("a mesh can have at most 65536"), "{error}");
+    let wanted = "model a.obj: it has 65538 positions: a mesh can have at most 65536; save it with fewer triangles";
+    assert_eq!(error, wanted);
 }
 
 /// Triangles apart from each other, each several times.

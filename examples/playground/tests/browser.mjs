@@ -524,7 +524,7 @@ test("the page tells why a file cannot be read, and the last picture stays", asy
   await shows(settings);
   const neither = "it is neither a model (.obj, .stl, .ply, .gltf, .glb) nor a picture for its texture: it is not a PNG";
   const wrong = {
-    "points.obj": ["v 0 0 0\nv 1 0 0\n", "model points.obj: it has no faces"],
+    "points.obj": ["v 0 0 0\nv 1 0 0\n", "model points.obj: it has points or lines, but no faces"],
     "broken.gltf": ['{"a"}', "model broken.gltf: "],
     "note.txt": ["Hello", `note.txt: ${neither}`],
     "skin.png": ["no picture", `skin.png: ${neither}`],

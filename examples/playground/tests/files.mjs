@@ -166,7 +166,7 @@ test("materials without pictures have their colors", async () => {
 test("notes tell what is missing, and what the page leaves out", async () => {
   const notes = async (files) => (await drop({ "a.obj": painted, ...files })).join("\n");
   assert.match(await notes({}), /a\.mtl/);
-  assert.match(await notes({ "a.mtl": materials }), /picture One\.tga cannot be read: drop it together with the model/);
+  assert.match(await notes({ "a.mtl": materials }), /cannot read texture One\.tga: drop it together with the model/);
   const two = `${painted}usemtl two\nf 1/1 3/3 2/2\n`;
   const both = { "one.tga": tga(8, 8), "two.tga": tga(8, 8), "a.mtl": materials, "a.obj": two };
   assert.match(await notes(both), /draws one texture, one\.tga, and not .*two\.tga/);

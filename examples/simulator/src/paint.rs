@@ -243,6 +243,7 @@ pub fn on_canvas<C: Shown>(color: Rgb888, at: Point) -> Rgb888 {
 /// The shader of a piece that needs more than colors and light.
 fn rich<'a, C: Shown>(
     look: &'a Look,
+    shade: Option<Shade>,
     filter: Filter,
     piece: &Piece<'_>,
     texture: Option<&'a Skin<'a, C::Texel>>,
@@ -279,7 +280,7 @@ fn rich<'a, C: Shown>(
             Surface::new(Surface::Many, InAnyFog { surface, fog }, C::into)
         }};
     }
-    match (look.shade, has_colors) {
+    match (shade, has_colors) {
         (Some(Shade::Texture), false) => surface!(base),
         (Some(Shade::Texture), true) => surface!(base.tinted()),
         (Some(Shade::Flat), false) => surface!(base.lit_faces(light)),
@@ -293,18 +294,22 @@ fn rich<'a, C: Shown>(
 }
 
 /// The shader of a piece that has only colors and light. Each color is dithered only once, from its exact value.
-fn bare<'a, C: Shown>(look: &'a Look, piece: &Piece<'_>) -> Result<Surface<'a>> {
+fn bare<'a, C: Shown>(
+    look: &'a Look,
+    shade: Option<Shade>,
+    piece: &Piece<'_>,
+) -> Result<Surface<'a>> {
     let light = look.light();
     if piece.mesh.has_colors() {
         let colors = Gouraud::<C>::new();
-        match look.shade {
+        match shade {
             Some(Shade::Texture) => interpolated(Gouraud::<C>::new()),
             Some(Shade::Flat) => Surface::new(Surface::Channels, colors.lit_faces(light), C::into),
             _ => Surface::new(Surface::Channels, colors.lit(light), C::into),
         }
     } else {
         let color = Flat::<C>::rgb(piece.finish.color);
-        match look.shade {
+        match shade {
             Some(Shade::Texture) => Surface::new(Surface::Many, color, C::into),
             Some(Shade::Flat) => Surface::new(Surface::Many, color.lit_faces(light), C::into),
             _ => Surface::new(Surface::Many, color.lit(light), C::into),
@@ -339,7 +344,11 @@ pub fn surface<'a, C: Shown>(
     let finish = piece.finish;
     let is_textured = matches!(look.shade, Some(Shade::Texture | Shade::Lit));
     let texture = texture.filter(|_| is_textured);
-    match look.shade {
+    let shade = match look.shade {
+        Some(Shade::Lit | Shade::Gouraud | Shade::Flat) if finish.is_unlit => Some(Shade::Texture),
+        shade => shade,
+    };
+    match shade {
         Some(Shade::Normal) => interpolated(NormalView::<C>::new()),
         // The faces have the color of the background: they cannot be seen, but hide the lines behind them.
         Some(Shade::Wire) => {
@@ -360,9 +369,9 @@ pub fn surface<'a, C: Shown>(
             || finish.glow != Rgb888::BLACK
             || finish.opacity < 255 =>
         {
-            rich::<C>(look, filter, piece, texture)
+            rich::<C>(look, shade, filter, piece, texture)
         }
-        _ => bare::<C>(look, piece),
+        _ => bare::<C>(look, shade, piece),
     }
 }
 

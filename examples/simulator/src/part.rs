@@ -5,10 +5,9 @@ use std::collections::HashMap;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::mesh::Outline;
 use fixel::{Cull, Index, Mesh, Vec2, Vec3};
-use fixel_assets::{Alpha, Lists, Model, Options, Triangle, outline};
+use fixel_assets::{Alpha, Lists, Model, Options, Triangle, outline, times};
 
 use super::Result;
-use super::skin::times;
 
 /// The largest number of values in a list. Indices have 16 bits, and the last index stands for no value.
 const MOST: usize = 65_535;
@@ -30,6 +29,8 @@ pub struct Finish {
     pub alpha: Alpha,
     /// Whether the texture does not repeat.
     pub is_clamped: bool,
+    /// Whether the surface is drawn without light.
+    pub is_unlit: bool,
     pub cull: Cull,
 }
 
@@ -43,6 +44,7 @@ impl Finish {
             opacity: 255,
             alpha: Alpha::Ignored,
             is_clamped: false,
+            is_unlit: false,
             cull: Cull::Nothing,
         }
     }

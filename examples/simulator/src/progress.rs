@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use fixel_assets::{Disk, Files};
@@ -85,8 +85,8 @@ impl Files for Reading {
         Disk.read(path)
     }
 
-    fn has(&self, path: &Path) -> bool {
-        Disk.has(path)
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        Disk.find(path)
     }
 
     fn progress(&self, done: usize, all: usize) {

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use embedded_graphics::pixelcolor::Rgb888;
@@ -99,8 +99,8 @@ impl Files for Island {
         Ok(include_bytes!("../../assets/lighthouse.obj").into())
     }
 
-    fn has(&self, _: &Path) -> bool {
-        true
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        Some(path.into())
     }
 }
 

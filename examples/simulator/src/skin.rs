@@ -1,13 +1,10 @@
 //! Textures with a size that is known only at run time.
 
-use std::fs;
-use std::path::Path;
-
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::Rgb888;
 use fixel::prelude::*;
 use fixel::shade::Translucent;
-use fixel_assets::{Alpha, Image, Picture};
+use fixel_assets::Picture;
 
 use super::Result;
 
@@ -23,52 +20,17 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Reads the picture at `path`. The picture is drawn opaque, whatever its alpha is.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be read, or has an unknown format.
-    pub fn read(path: &Path) -> Result<Self, String> {
-        Self::of_image(&Image::File(path.into()), [255; 3], Alpha::Ignored)
-    }
-
-    /// Reads a picture of a model, and multiplies its texels by a material's color. The sides are resampled to the
-    /// nearest powers of two, up to 1024.
-    ///
-    /// # Errors
-    ///
-    /// As for [`read`](Self::read).
-    pub fn of_image(image: &Image, tint: [u8; 3], alpha: Alpha) -> Result<Self, String> {
-        let (name, picture) = match image {
-            Image::File(path) => {
-                let bytes = fs::read(path).map_err(|error| error.to_string());
-                (
-                    path.display().to_string(),
-                    bytes.and_then(|bytes| Picture::decode(&bytes)),
-                )
-            }
-            Image::Bytes(name, bytes) => (name.clone(), Picture::decode(bytes)),
-        };
-        let mut picture =
-            picture.map_err(|problem| format!("cannot read texture {name}: {problem}"))?;
-        for [r, g, b, a] in &mut picture.pixels {
-            [*r, *g, *b] = times([*r, *g, *b], tint);
-            *a = match alpha {
-                Alpha::Ignored => 255,
-                Alpha::Cut(least) if *a >= least => 255,
-                Alpha::Cut(_) => 0,
-                Alpha::Blended => *a,
-            };
-        }
+    /// Makes a skin of a picture. The sides are resampled to the nearest powers of two, up to 1024.
+    pub fn new(picture: &Picture) -> Self {
         let (width, height) = (picture.width, picture.height);
         let mut picture = picture.resampled(nearest(width), nearest(height));
         if picture.has_alpha() {
             spread(&mut picture);
         }
-        Ok(Self {
+        Self {
             picture,
             side: width.max(height),
-        })
+        }
     }
 
     /// A checker of 64x64 texels, with squares of 8x8 texels in two colors.
@@ -130,16 +92,6 @@ fn spread(picture: &mut Picture) {
             *to = (sum / count.max(1)) as u8;
         }
     }
-}
-
-/// The product of two colors. Channels are fractions from 0 to 1.
-pub fn times(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
-    [0, 1, 2].map(|at| {
-        let product = u16::from(a[at]) * u16::from(b[at]);
-        #[allow(clippy::cast_possible_truncation)] // at most 255
-        let rounded = ((product + 127) / 255) as u8;
-        rounded
-    })
 }
 
 /// Returns the power of two, at most 1024, that is nearest to `side` by ratio.

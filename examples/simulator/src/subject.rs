@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use fixel::Cull;
 use fixel_assets::vector::unit;
-use fixel_assets::{Alpha, Model};
+use fixel_assets::{Alpha, Disk, Files, INVISIBLE, Model, Picture};
 
 use super::Result;
 use crate::advice;
@@ -24,6 +24,9 @@ use crate::window::MOST_ZOOM;
 
 /// If two faces meet at a larger angle, in degrees, an outline has a line between them.
 const CREASE: f64 = 40.0;
+
+/// What the alpha of the texture that the user names means: as in an MTL file.
+const CUT: Alpha = Alpha::Cut(128);
 
 /// A model with everything that belongs to it.
 pub struct Subject {
@@ -47,15 +50,20 @@ impl Subject {
     ///
     /// A file cannot be read, or the camera of `args` shows nothing.
     pub fn load(args: &Args, path: &Path) -> Result<Self> {
-        let skin = args.texture.as_deref().map(Skin::read).transpose()?;
+        let skin = args.texture.as_deref().map(texture).transpose()?;
         let reading = Reading(Progress::new(args, "reading", true));
-        let mut model = fixel_assets::read(path, &reading)?;
+        let read = fixel_assets::read(path, &reading);
+        let mut model = read.map_err(|problem| format!("model {}: {problem}", path.display()))?;
         drop(reading);
         let line = progress::step(args, model.triangles.len(), "computing normals");
         model.complete();
         drop(line);
         let line = progress::step(args, model.triangles.len(), "preparing");
         let (finishes, skins) = finishes(args, &mut model, skin);
+        let is_wire = args.wire || args.shade == Some(Shade::Wire);
+        if model.has_lines && !is_wire {
+            model.notes.left_out("lines: see --wire");
+        }
         report::notes(args, model.notes.iter())?;
         let given = [&args.model, &args.texture].into_iter().flatten();
         let inputs = given.chain(&model.files).cloned().collect();
@@ -63,7 +71,7 @@ impl Subject {
             model.turn_normals();
         }
         let points = used(&model);
-        let solid = Solid::of(&points)?;
+        let solid = Solid::of(&points);
         let merging = model.merging(1.0);
         report::notes(
             args,
@@ -139,6 +147,13 @@ impl Subject {
     }
 }
 
+/// Reads the texture that the user names. Its alpha cuts holes.
+fn texture(path: &Path) -> Result<Picture> {
+    let bytes = Disk.read(path).map_err(|error| error.to_string());
+    let picture = bytes.and_then(|bytes| Picture::decode(&bytes));
+    Ok(picture.map_err(|problem| format!("cannot read texture {}: {problem}", path.display()))?)
+}
+
 /// Returns the positions that faces use.
 fn used(model: &Model) -> Vec<Point> {
     let mut is_used = vec![false; model.positions.len()];
@@ -166,8 +181,8 @@ fn frame(args: &Args, points: &[Point], solid: &Solid, about: Point) -> Result<F
 /// Returns the finish of each material, followed by the finish of faces without a material, and the textures of the
 /// finishes.
 ///
-/// `skin` replaces all textures and colors. If a texture cannot be read, the function adds a note for the user.
-fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>, Vec<Skin>) {
+/// `picture` replaces all textures and colors. If a texture cannot be read, the function adds a note for the user.
+fn finishes(args: &Args, model: &mut Model, picture: Option<Picture>) -> (Vec<Finish>, Vec<Skin>) {
     let cull = |two_sided: bool| {
         if args.cull || !two_sided {
             Cull::Back
@@ -175,24 +190,31 @@ fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>,
             Cull::Nothing
         }
     };
-    if skin.is_some() || !model.is_colored() {
+    if picture.is_some() || !model.is_colored() {
+        let skin = picture.map_or_else(Skin::checker, |mut picture| {
+            if picture.cut(CUT) {
+                model.notes.add(INVISIBLE);
+            }
+            Skin::new(&picture)
+        });
+        let alpha = if skin.has_alpha() {
+            CUT
+        } else {
+            Alpha::Ignored
+        };
         let sides = model.materials.iter().map(|material| material.two_sided);
         let finish = |two_sided| Finish {
+            alpha,
             cull: cull(two_sided),
             ..Finish::textured(0)
         };
         let finishes = sides.chain([true]).map(finish).collect();
-        return (finishes, vec![skin.unwrap_or_else(Skin::checker)]);
+        return (finishes, vec![skin]);
     }
     let mut skins: Vec<Skin> = Vec::new();
     let mut places: HashMap<_, Option<usize>> = HashMap::new();
     let mut finishes = Vec::new();
-    for material in &model.materials {
-        if material.opacity <= 0.0 {
-            model
-                .notes
-                .add("a material has the opacity 0: its faces are invisible");
-        }
+    for material in model.materials.clone() {
         if material.texture.is_some() && material.clamp[0] != material.clamp[1] {
             model
                 .notes
@@ -201,18 +223,8 @@ fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>,
         let texture = material.texture.and_then(|image| {
             let key = (image, material.tint, material.alpha);
             *places.entry(key).or_insert_with(|| {
-                match Skin::of_image(&model.images[image as usize], material.tint, material.alpha) {
-                    Ok(skin) => {
-                        skins.push(skin);
-                        Some(skins.len() - 1)
-                    }
-                    Err(problem) => {
-                        model
-                            .notes
-                            .add(format!("{problem}: its faces have one color"));
-                        None
-                    }
-                }
+                skins.push(Skin::new(&model.texture(&material, &Disk)?));
+                Some(skins.len() - 1)
             })
         });
         let has_alpha = texture.is_some_and(|at| skins[at].has_alpha());
@@ -227,6 +239,7 @@ fn finishes(args: &Args, model: &mut Model, skin: Option<Skin>) -> (Vec<Finish>,
                 Alpha::Ignored
             },
             is_clamped: material.clamp == [true; 2],
+            is_unlit: material.unlit,
             cull: cull(material.two_sided),
             ..texture.map_or(Finish::plain(rgb(material.color)), Finish::textured)
         });

@@ -46,18 +46,12 @@ fn smooth(faces: &[Vector]) -> Vec<Vector> {
             group
         })
         .collect();
-    let sums: Vec<Vector> = groups
-        .iter()
-        .map(|group| {
-            groups.iter().fold([0.0; 3], |sum, &other| {
-                if dot(other, *group) >= CREASE * length(other) * length(*group) {
-                    add(sum, other)
-                } else {
-                    sum
-                }
-            })
-        })
-        .collect();
+    let is_near = |a: Vector, b: Vector| dot(a, b) >= CREASE * length(a) * length(b);
+    let sum = |group: &Vector| {
+        let near = groups.iter().filter(|other| is_near(**other, *group));
+        near.fold([0.0; 3], |sum, &other| add(sum, other))
+    };
+    let sums: Vec<Vector> = groups.iter().map(sum).collect();
     group_of.into_iter().map(|group| sums[group]).collect()
 }
 
@@ -157,8 +151,7 @@ impl Model {
     pub fn make_uvs(&mut self) {
         // Positions that no face uses do not count, because they can be far away, or not numbers.
         let [lows, highs] = self.bounds();
-        let size = largest(sub(highs, lows));
-        let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
+        let scale = 1.0 / largest(sub(highs, lows));
         let mut made: HashMap<(u32, usize, bool), u32> = HashMap::new();
         for at in 0..self.triangles.len() {
             if self.triangles[at].corners[0].uv.is_some() {

@@ -4,13 +4,20 @@ mod accessor;
 mod matrix;
 
 use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use base64::alphabet::STANDARD;
+use base64::engine::DecodePaddingMode;
+use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
 use serde_json::Value;
+
+use std::collections::HashSet;
+use std::path::PathBuf;
 
 use matrix::{IDENTITY, Matrix, blend, local, matrix, normal_matrix, product};
 
 use crate::files::Folder;
+use crate::material::GLOW_ELSEWHERE;
 use crate::mtl::byte;
+use crate::text::unescaped;
 use crate::{Alpha, Corner, Image, Material, Model, Smoothing, next};
 
 /// Extensions that compress the geometry, each with the name of its method. A file that requires one of these
@@ -32,6 +39,15 @@ const READ: [&str; 7] = [
     "KHR_xmp_json_ld",
 ];
 
+/// Textures that are not drawn: where a material has them, and what they are.
+#[rustfmt::skip]
+const NOT_DRAWN: [(&str, &str); 4] = [
+    ("/normalTexture", "normal maps"),
+    ("/occlusionTexture", "occlusion maps"),
+    ("/pbrMetallicRoughness/metallicRoughnessTexture", "metallic and rough surfaces"),
+    ("/extensions/KHR_materials_pbrSpecularGlossiness/specularGlossinessTexture", "specular and glossy surfaces"),
+];
+
 /// An accessor without bytes, with values of 0, may have at most this many values. All nodes together may have at most
 /// this many vertices, or as many as the file has bytes. Without these limits, a short file could claim all memory,
 /// because nodes can share a mesh.
@@ -47,14 +63,11 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     if version.starts_with('1') || root["meshes"].is_object() {
         return Err("it is glTF 1.0: only glTF 2.0 can be read".into());
     }
-    for name in names(&root["extensionsRequired"]) {
-        if let Some((_, compression)) = COMPRESSED.iter().find(|(extension, _)| *extension == name)
-        {
-            return Err(format!(
-                "its meshes are compressed with {compression} ({name}): save it without compression"
-            ));
-        }
+    if !root["asset"].is_object() && !root["meshes"].is_array() {
+        return Err("it is JSON, but not glTF: it has no asset".into());
     }
+    let is_in = |list, name: &str| names(&root[list]).any(|other| other == name);
+    check_compression(|name| is_in("extensionsRequired", name))?;
     let mut reader = Reader {
         root: &root,
         buffers: Vec::new(),
@@ -77,7 +90,20 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
         reader.model.materials.push(material);
     }
     reader.scene();
+    if reader.model.triangles.is_empty() {
+        check_compression(|name| is_in("extensionsUsed", name))?;
+    }
     Ok(reader.model)
+}
+
+/// Fails if there is an extension that compresses meshes. `has` tells which extensions there are.
+fn check_compression(has: impl Fn(&str) -> bool) -> Result<(), String> {
+    let found = COMPRESSED.iter().find(|(extension, _)| has(extension));
+    found.map_or(Ok(()), |(extension, method)| {
+        Err(format!(
+            "its meshes are compressed with {method} ({extension}): save it without compression"
+        ))
+    })
 }
 
 /// The JSON text of a file and, if the file is binary, the buffer in it.
@@ -89,12 +115,12 @@ fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     if word(4) == Some(1) {
         return Err("it is glTF 1.0: only glTF 2.0 can be read".into());
     }
-    if let Some(needed) = word(8).filter(|&needed| needed > bytes.len()) {
-        let is = bytes.len();
-        return Err(format!(
-            "byte {is}: it ends before the {needed} bytes that its header promises"
-        ));
-    }
+    let (is, needed) = (bytes.len(), word(8).unwrap_or(usize::MAX));
+    // Any bytes can follow the file's own.
+    let bytes = bytes.get(..needed).ok_or_else(|| {
+        format!("byte {is}: it ends before the {needed} bytes that its header promises")
+    })?;
+    let word = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?) as usize);
     let (mut at, mut json, mut binary) = (12, None, None);
     while let (Some(length), Some(kind)) = (word(at), word(at + 4)) {
         let chunk = bytes.get(at + 8..).and_then(|rest| rest.get(..length));
@@ -127,12 +153,10 @@ fn names(list: &Value) -> impl Iterator<Item = &str> {
 /// Reads a whole number: a number of elements or bytes, or an index.
 fn whole(value: &Value) -> Option<usize> {
     // Some programs write 3 as 3.0.
+    let float = value.as_f64()?;
+    let is_whole = float.fract() == 0.0 && (0.0..9e15).contains(&float);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
-    let float = value
-        .as_f64()
-        .filter(|x| x.fract() == 0.0 && (0.0..9e15).contains(x))
-        .map(|x| x as usize);
-    float
+    is_whole.then_some(float as usize)
 }
 
 /// The numbers of a list; `None` if the list does not have `N` numbers.
@@ -141,40 +165,41 @@ fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     numbers.try_into().ok()
 }
 
-/// A URI with its escapes, such as %20, decoded.
-fn decoded(uri: &str) -> String {
-    let mut bytes = Vec::new();
-    let mut rest = uri.as_bytes();
-    while let Some((&first, after)) = rest.split_first() {
-        let code = after
-            .get(..2)
-            .filter(|_| first == b'%')
-            .and_then(|digits| u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok());
-        bytes.push(code.unwrap_or(first));
-        rest = if code.is_some() { &after[2..] } else { after };
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
+/// Base64 without the padding at its end, which some programs leave out.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::RequireNone)
+        .with_decode_allow_trailing_bits(true),
+);
 
 /// The bytes of a `data:` URI; `None` if the URI names a file.
 fn data(uri: &str) -> Option<Result<Vec<u8>, String>> {
     let data = uri.strip_prefix("data:")?;
     Some(match data.split_once(',') {
-        Some((kind, text)) if kind.ends_with(";base64") => STANDARD
-            .decode(text)
-            .map_err(|error| format!("a data URI is not in base64: {error}")),
-        Some((_, text)) => Ok(decoded(text).into_bytes()),
+        Some((kind, text)) if kind.trim_end().ends_with("base64") => {
+            let mut text = unescaped(text);
+            text.retain(|byte| !byte.is_ascii_whitespace() && *byte != b'=');
+            let bytes = BASE64.decode(text);
+            bytes.map_err(|error| format!("a data URI is not in base64: {error}"))
+        }
+        Some((_, text)) => Ok(unescaped(text)),
         None => Err("a data URI has no comma".into()),
     })
 }
 
 /// Converts a linear component of a color to sRGB.
-fn srgb(linear: f64) -> u8 {
-    byte(if linear <= 0.003_130_8 {
+fn encoded(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
-    })
+    }
+}
+
+/// Converts a linear component of a color to a byte in sRGB.
+fn srgb(linear: f64) -> u8 {
+    byte(encoded(linear))
 }
 
 struct Reader<'a> {
@@ -190,17 +215,15 @@ impl<'a> Reader<'a> {
     /// The element with the index `at` in the file's list `of`.
     fn item(&self, of: &str, at: usize) -> Result<&'a Value, String> {
         let items = list(self.root, of);
-        items.get(at).ok_or_else(|| {
-            let one = if of == "meshes" {
-                "mesh"
-            } else {
-                of.trim_end_matches('s')
-            };
-            format!(
-                "{one} {at} does not exist: there are {}, counted from 0",
-                items.len()
-            )
-        })
+        let count = items.len();
+        let missing = || format!("its {of} have no number {at}: there are {count}, counted from 0");
+        items.get(at).ok_or_else(missing)
+    }
+
+    /// The path of the file with this URI.
+    fn path(&self, uri: &str) -> PathBuf {
+        self.folder
+            .beside(&String::from_utf8_lossy(&unescaped(uri)))
     }
 
     fn buffers(&mut self, binary: Option<&[u8]>) {
@@ -210,7 +233,7 @@ impl<'a> Reader<'a> {
                     .map(<[u8]>::to_vec)
                     .ok_or_else(|| "the file has no binary part".into()),
                 Some(uri) => data(uri).unwrap_or_else(|| {
-                    let path = self.folder.beside(&decoded(uri));
+                    let path = self.path(uri);
                     self.model.files.push(path.clone());
                     let read = self.folder.files.read(&path);
                     read.map_err(|error| format!("cannot read {}: {error}", path.display()))
@@ -236,7 +259,7 @@ impl<'a> Reader<'a> {
             let bytes = match (image["uri"].as_str(), whole(&image["bufferView"])) {
                 (Some(uri), _) => match data(uri) {
                     None => {
-                        let path = self.folder.beside(&decoded(uri));
+                        let path = self.path(uri);
                         self.model.images.push(Image::File(path));
                         continue;
                     }
@@ -255,8 +278,6 @@ impl<'a> Reader<'a> {
     }
 
     fn material(&mut self, material: &Value) -> Material {
-        let glossy = &material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
-        let metallic = &material["pbrMetallicRoughness"];
         let (factor, texture) = surface(material);
         let [r, g, b, alpha] = numbers(factor).unwrap_or([1.0; 4]);
         let color = [r, g, b].map(srgb);
@@ -264,108 +285,121 @@ impl<'a> Reader<'a> {
             &material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
         let strength = strength.as_f64().unwrap_or(1.0);
         let emission = numbers(&material["emissiveFactor"]).unwrap_or([0.0; 3]);
-        for (map, name) in [
-            (&material["normalTexture"], "normal maps"),
-            (&material["occlusionTexture"], "occlusion maps"),
-            (&material["emissiveTexture"], "emissive textures"),
-            (
-                &metallic["metallicRoughnessTexture"],
-                "metallic and rough surfaces",
-            ),
-            (
-                &glossy["specularGlossinessTexture"],
-                "specular and glossy surfaces",
-            ),
-        ] {
-            if map.is_object() {
+        let light = emission.map(|x: f64| encoded(x * strength));
+        for (map, name) in NOT_DRAWN {
+            if material.pointer(map).is_some_and(Value::is_object) {
                 self.model.notes.left_out(name);
             }
         }
         let mode = material["alphaMode"].as_str().unwrap_or("OPAQUE");
+        let unlit = material["extensions"]["KHR_materials_unlit"].is_object();
+        let cutoff = material["alphaCutoff"].as_f64().unwrap_or(0.5);
         let mut new = Material {
             color,
             tint: color,
-            emission: emission.map(|x: f64| srgb(x * strength)),
-            opacity: if mode == "BLEND" {
-                alpha.clamp(0.0, 1.0)
-            } else {
-                1.0
+            emission: if unlit { [0; 3] } else { light.map(byte) },
+            opacity: match mode {
+                "BLEND" => alpha.clamp(0.0, 1.0),
+                // No alpha of a texture is above the cutoff.
+                "MASK" if alpha < cutoff => 0.0,
+                _ => 1.0,
             },
             alpha: match mode {
-                "MASK" => {
-                    let cutoff = material["alphaCutoff"].as_f64().unwrap_or(0.5);
-                    // The cutoff applies to the product of the texture's alpha and the factor's alpha. The cutoff
-                    // divided by the factor applies to the texture's alpha alone.
-                    Alpha::Cut(if alpha > 0.0 {
-                        byte(cutoff / alpha)
-                    } else {
-                        255
-                    })
-                }
+                // The cutoff applies to the product of the texture's alpha and the factor's alpha. The cutoff divided
+                // by the factor applies to the texture's alpha alone.
+                "MASK" => Alpha::Cut(byte(cutoff / alpha.max(cutoff).max(f64::MIN_POSITIVE))),
                 "BLEND" => Alpha::Blended,
                 _ => Alpha::Ignored,
             },
             two_sided: material["doubleSided"].as_bool().unwrap_or(false),
+            unlit,
             ..Material::new(material["name"].as_str().unwrap_or_default().into())
         };
-        let texture = whole(&texture["index"]).map(|at| self.texture(at, &mut new));
-        if let Some(Err(problem)) = texture {
-            self.model.notes.add(problem);
+        let glow = &material["emissiveTexture"];
+        let [own, other] = [texture, glow].map(|texture| {
+            let found = self.texture(texture);
+            found.unwrap_or_else(|problem| {
+                self.model.notes.add(problem);
+                Default::default()
+            })
+        });
+        (new.texture, new.clamp) = own;
+        if glow.is_object() && !new.unlit {
+            new.emission = [0; 3];
+            let (image, clamp) = other;
+            let own = new.texture.map_or(glow, |_| texture);
+            let is_same = coordinates(own) == coordinates(glow);
+            match image.filter(|_| light.iter().any(|&x| x > 0.0)) {
+                Some(image) if is_same && (new.texture.is_none() || new.clamp == clamp) => {
+                    new.clamp = clamp;
+                    self.model.glow(&mut new, image, light);
+                }
+                Some(_) => self.model.notes.left_out(GLOW_ELSEWHERE),
+                None => {}
+            }
         }
         new
     }
 
-    /// Sets the image of a material, and whether the texture is clamped.
-    fn texture(&mut self, at: usize, material: &mut Material) -> Result<(), String> {
+    /// The image of a material's texture, and whether it is clamped.
+    fn texture(&mut self, texture: &Value) -> Result<(Option<u32>, [bool; 2]), String> {
+        let Some(at) = whole(&texture["index"]) else {
+            return Ok(Default::default());
+        };
         let texture = self.item("textures", at)?;
         let webp = whole(&texture["extensions"]["EXT_texture_webp"]["source"]);
-        if let Some(image) = webp.or(whole(&texture["source"])) {
+        let image = webp.or(whole(&texture["source"]));
+        if let Some(image) = image {
             self.item("images", image)?;
-            material.texture = u32::try_from(image).ok();
         }
+        let mut clamp = [false; 2];
         if let Some(sampler) = whole(&texture["sampler"]) {
             let sampler = self.item("samplers", sampler)?;
             let wraps = ["wrapS", "wrapT"].map(|wrap| whole(&sampler[wrap]));
-            material.clamp = wraps.map(|wrap| wrap == Some(33071));
+            clamp = wraps.map(|wrap| wrap == Some(33071));
             if wraps.contains(&Some(33648)) {
                 self.model.notes.left_out("mirrored repeats of textures");
             }
         }
-        Ok(())
+        Ok((image.and_then(|at| u32::try_from(at).ok()), clamp))
     }
 
     /// Adds the meshes of the default scene. Without a default scene, adds the meshes of the first scene. Without
-    /// scenes, adds all meshes.
+    /// scenes, adds the meshes of all nodes; if no node comes first, adds all meshes.
     fn scene(&mut self) {
         let scenes = list(self.root, "scenes");
         let scene = whole(&self.root["scene"])
             .and_then(|at| scenes.get(at))
             .or(scenes.first());
-        let Some(scene) = scene else {
+        let nodes = list(self.root, "nodes");
+        let inner = nodes.iter().flat_map(|node| list(node, "children"));
+        let inner: HashSet<usize> = inner.filter_map(whole).collect();
+        let mut roots: Vec<usize> = (0..nodes.len()).rev().collect();
+        roots.retain(|at| !inner.contains(at));
+        if scene.is_none() && roots.is_empty() {
             for at in 0..list(self.root, "meshes").len() {
                 self.mesh(at, &Value::Null, &[], IDENTITY);
             }
             return;
-        };
-        let nodes = list(self.root, "nodes");
+        }
         let mut places: Vec<Option<Matrix>> = vec![None; nodes.len()];
         let mut order = Vec::new();
         let children = |of: &'a Value, name, parent: Matrix| {
             let children = list(of, name).iter().rev().filter_map(whole);
             children.map(move |child| (child, parent))
         };
-        let mut next: Vec<(usize, Matrix)> = children(scene, "nodes", IDENTITY).collect();
+        let mut next: Vec<(usize, Matrix)> = match scene {
+            Some(scene) => children(scene, "nodes", IDENTITY).collect(),
+            None => roots.into_iter().map(|root| (root, IDENTITY)).collect(),
+        };
+        let notes = &mut self.model.notes;
         while let Some((at, parent)) = next.pop() {
             let Some(place) = places.get_mut(at) else {
-                self.model
-                    .notes
-                    .add("a node that does not exist is left out");
+                notes.add("a node that does not exist is left out");
                 continue;
             };
             if place.is_some() {
-                self.model
-                    .notes
-                    .add("a node with two parents is drawn once");
+                notes.add("a node with two parents is drawn once");
                 continue;
             }
             let matrix = *place.insert(product(&parent, &local(&nodes[at])));
@@ -394,11 +428,8 @@ impl<'a> Reader<'a> {
             let weights = [&node["weights"], &mesh["weights"]]
                 .into_iter()
                 .find_map(Value::as_array);
-            let weights: Vec<f64> = weights
-                .into_iter()
-                .flatten()
-                .map(|x| x.as_f64().unwrap_or(0.0))
-                .collect();
+            let weights = weights.into_iter().flatten();
+            let weights: Vec<f64> = weights.map(|x| x.as_f64().unwrap_or(0.0)).collect();
             for primitive in list(mesh, "primitives") {
                 self.primitive(primitive, &weights, &joints, matrix)?;
             }
@@ -406,9 +437,8 @@ impl<'a> Reader<'a> {
         };
         let added: Result<(), String> = add();
         if let Err(problem) = added {
-            self.model
-                .notes
-                .add(format!("mesh {at}: a part is left out: {problem}"));
+            let note = format!("mesh {at}: a part is left out: {problem}");
+            self.model.notes.add(note);
         }
     }
 
@@ -438,53 +468,36 @@ impl<'a> Reader<'a> {
     ) -> Result<(), String> {
         let mode = whole(&primitive["mode"]).unwrap_or(4);
         if mode < 4 {
-            self.model
-                .notes
-                .left_out(if mode == 0 { "points" } else { "lines" });
+            let what = if mode == 0 { "points" } else { "lines" };
+            self.model.notes.left_out(what);
             return Ok(());
         }
         let material = whole(&primitive["material"]);
         let material = material.filter(|&at| at < self.model.materials.len());
         let vertices = self.vertices(primitive, material, weights, joints, node)?;
         let indices = match whole(&primitive["indices"]) {
-            Some(at) => self
-                .values::<1>(at)?
-                .into_iter()
-                .map(|[index]| index)
-                .collect(),
+            Some(at) => self.values::<1>(at)?.into_flattened(),
             #[allow(clippy::cast_precision_loss)] // below 2^53
-            None => (0..vertices.count)
-                .map(|at| at as f64)
-                .collect::<Vec<f64>>(),
+            None => (0..vertices.count).map(|at| at as f64).collect(),
         };
         let material = material.and_then(|at| u32::try_from(at).ok());
-        let mut triangle = |[a, b, c]: [f64; 3]| {
-            // A mirror image reverses the winding of triangles.
-            let triangle = if vertices.mirrored {
-                [a, c, b]
-            } else {
-                [a, b, c]
-            };
-            let mut corners = triangle.map(|index| vertices.corner(index));
-            self.model.polygon(&mut corners, material, Smoothing::Angle)
+        let count = match mode {
+            5 | 6 => indices.len().saturating_sub(2),
+            _ => indices.len() / 3,
         };
-        match mode {
-            5 => {
-                for (at, corners) in indices.windows(3).enumerate() {
-                    let [a, b, c] = [corners[0], corners[1], corners[2]];
-                    triangle(if at % 2 == 0 { [a, b, c] } else { [b, a, c] })?;
-                }
+        for at in 0..count {
+            // Every other triangle of a strip is wound the other way.
+            let triangle = match mode {
+                5 => [at + at % 2, at + 1 - at % 2, at + 2],
+                6 => [0, at + 1, at + 2],
+                _ => [3 * at, 3 * at + 1, 3 * at + 2],
+            };
+            let mut corners = triangle.map(|at| vertices.corner(indices[at]));
+            // A mirror image reverses the winding of triangles.
+            if vertices.mirrored {
+                corners.swap(1, 2);
             }
-            6 => {
-                for corners in indices.get(1..).unwrap_or_default().windows(2) {
-                    triangle([indices[0], corners[0], corners[1]])?;
-                }
-            }
-            _ => {
-                for corners in indices.chunks_exact(3) {
-                    triangle([corners[0], corners[1], corners[2]])?;
-                }
-            }
+            (self.model).polygon(&mut corners, material, Smoothing::Angle)?;
         }
         Ok(())
     }
@@ -501,6 +514,9 @@ impl<'a> Reader<'a> {
     ) -> Result<Vertices, String> {
         let attributes = &primitive["attributes"];
         let positions = whole(&attributes["POSITION"]).ok_or("it has no positions")?;
+        if self.item("accessors", positions)?["bufferView"].is_null() {
+            check_compression(|name| primitive["extensions"][name].is_object())?;
+        }
         let mut positions = self.values::<3>(positions)?;
         let count = positions.len();
         let (all, bytes) = (self.model.positions.len() + count, self.folder.all);
@@ -518,18 +534,34 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        let (_, texture) = surface(match material {
+        let material = match material {
             Some(at) => &list(self.root, "materials")[at],
             None => &Value::Null,
-        });
+        };
+        let (_, texture) = surface(material);
+        let texture = if texture.is_object() {
+            texture
+        } else {
+            &material["emissiveTexture"]
+        };
         let uvs = self.uvs(attributes, texture, count)?;
         let colors = self.attribute::<3>(&attributes["COLOR_0"], count)?;
-        let shares = match joints {
-            [] => Vec::new(),
-            _ => self.attribute::<4>(&attributes["WEIGHTS_0"], count)?,
-        };
-        let bones = self.attribute::<4>(&attributes["JOINTS_0"], count)?;
-        let bones: Vec<([f64; 4], [f64; 4])> = bones.into_iter().zip(shares).collect();
+        if material["alphaMode"]
+            .as_str()
+            .is_some_and(|mode| mode != "OPAQUE")
+            && self.has_alpha(&attributes["COLOR_0"], count)?
+        {
+            self.model.notes.left_out("opacity of vertex colors");
+        }
+        // Each set has four joints for each vertex, and their weights.
+        let mut bones: Vec<Vec<([f64; 4], [f64; 4])>> = Vec::new();
+        let name = |what: &str, set: usize| format!("{what}_{set}");
+        while !joints.is_empty() && attributes[name("JOINTS", bones.len())].is_number() {
+            let set = ["JOINTS", "WEIGHTS"].map(|what| &attributes[name(what, bones.len())]);
+            let shares = self.attribute::<4>(set[1], count)?;
+            let which = self.attribute::<4>(set[0], count)?;
+            bones.push(which.into_iter().zip(shares).collect());
+        }
 
         let model = &mut self.model;
         let mut vertices = Vertices {
@@ -541,15 +573,11 @@ impl<'a> Reader<'a> {
             mirrored: normal_matrix(&node).1 < 0.0,
         };
         for (at, p) in positions.iter().enumerate() {
-            let matrix = bones
-                .get(at)
-                .and_then(|bone| blend(joints, bone))
-                .unwrap_or(node);
-            model
-                .positions
-                .push([0, 1, 2].map(|row| {
-                    matrix[3][row] + (0..3).map(|k| matrix[k][row] * p[k]).sum::<f64>()
-                }));
+            let bones = bones.iter().filter_map(|set| set.get(at));
+            let matrix = blend(joints, bones).unwrap_or(node);
+            let moved = |row: usize| (0..3).map(|k| matrix[k][row] * p[k]).sum::<f64>();
+            let position = [0, 1, 2].map(|row| matrix[3][row] + moved(row));
+            model.positions.push(position);
             if let Some(n) = normals.get(at) {
                 let (matrix, determinant) = normal_matrix(&matrix);
                 vertices.mirrored = determinant < 0.0;
@@ -559,9 +587,8 @@ impl<'a> Reader<'a> {
             }
         }
         model.uvs.extend(uvs);
-        model
-            .colors
-            .extend(colors.iter().map(|color| color.map(srgb)));
+        let colors = colors.iter().map(|color| color.map(srgb));
+        model.colors.extend(colors);
         Ok(vertices)
     }
 
@@ -572,10 +599,7 @@ impl<'a> Reader<'a> {
         texture: &Value,
         count: usize,
     ) -> Result<Vec<[f64; 2]>, String> {
-        let transform = &texture["extensions"]["KHR_texture_transform"];
-        let set = whole(&transform["texCoord"])
-            .or(whole(&texture["texCoord"]))
-            .unwrap_or(0);
+        let (set, transform) = coordinates(texture);
         let mut uvs = self.attribute::<2>(&attributes[format!("TEXCOORD_{set}")], count)?;
         if transform.is_object() {
             let [x, y] = numbers(&transform["offset"]).unwrap_or([0.0; 2]);
@@ -588,6 +612,13 @@ impl<'a> Reader<'a> {
         }
         Ok(uvs)
     }
+}
+
+/// The number of a texture's set of coordinates, and their transform.
+fn coordinates(texture: &Value) -> (usize, &Value) {
+    let transform = &texture["extensions"]["KHR_texture_transform"];
+    let set = whole(&transform["texCoord"]).or(whole(&texture["texCoord"]));
+    (set.unwrap_or(0), transform)
 }
 
 /// The vertices of a primitive: how many there are, and the index of the first one in each of the model's lists.

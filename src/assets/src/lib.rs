@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use std::io;
-//! use std::path::Path;
+//! use std::path::{Path, PathBuf};
 //!
 //! use fixel_assets::{Files, Options};
 //!
@@ -18,8 +18,8 @@
 //!     fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
 //!         Ok(self.0.into())
 //!     }
-//!     fn has(&self, _: &Path) -> bool {
-//!         true
+//!     fn find(&self, path: &Path) -> Option<PathBuf> {
+//!         Some(path.into())
 //!     }
 //! }
 //!
@@ -45,6 +45,7 @@ mod outline;
 pub mod picture;
 mod ply;
 mod polygon;
+mod sight;
 mod sniff;
 mod stl;
 mod text;
@@ -58,7 +59,7 @@ use std::path::{Path, PathBuf};
 use files::Folder;
 pub use files::{Disk, Files};
 pub use lists::{Lists, Options, Run};
-pub use material::{Alpha, Image, Material};
+pub use material::{Alpha, INVISIBLE, Image, Material, times};
 pub use notes::Notes;
 pub use outline::outline;
 pub use picture::Picture;
@@ -80,6 +81,8 @@ pub struct Model {
     pub triangles: Vec<Triangle>,
     /// The edges of the file's polygons, each once: the indices of the positions of its ends.
     pub edges: Vec<[u32; 2]>,
+    /// Whether the file has lines. They are among the edges.
+    pub has_lines: bool,
     /// The names of the file's objects: its meshes or groups.
     pub objects: Vec<String>,
     /// The materials; empty if the file has none.
@@ -138,19 +141,18 @@ pub struct Corner {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. The
-/// message names the file, the line or the byte, the value, and what was expected.
+/// The file cannot be read, is not a model, ends too early, or has nothing to draw. The message is one line. It does
+/// not name the model's file, but the line or the byte, the value, and what was expected.
 pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
-    let name = path.display();
-    let bytes = files
-        .read(path)
-        .map_err(|error| format!("cannot read model {name}: {error}"))?;
-    let folder = Folder {
-        files,
-        path: path.parent().unwrap_or(Path::new("")),
-        all: bytes.len(),
-    };
     let read = || -> Result<Model, String> {
+        let bytes = files.read(path);
+        let bytes = bytes.map_err(|error| format!("it cannot be read: {error}"))?;
+        let folder = Folder {
+            files,
+            path: path.parent().unwrap_or(Path::new("")),
+            own: None,
+            all: bytes.len(),
+        };
         let mut model = match sniff::format(path, &bytes)? {
             Format::Obj => obj::read(&bytes, folder)?,
             Format::Stl => stl::read(&bytes, folder)?,
@@ -159,11 +161,15 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
         };
         if model.triangles.is_empty() {
             let notes: Vec<String> = model.notes.iter().collect();
-            return Err(match notes.as_slice() {
-                [] => "it has no faces: there is nothing to draw".into(),
-                notes => format!("there is nothing to draw: {}", notes.join("; ")),
-            });
+            let why = match (model.notes.is_quiet(), model.positions.as_slice()) {
+                (false, _) => "there is nothing to draw",
+                (_, []) => "it has no faces: there is nothing to draw",
+                _ => "it has points or lines, but no faces: only faces are drawn",
+            };
+            return Err([&[why.into()], &notes[..]].concat().join("; "));
         }
+        model.show();
+        model.check_sight()?;
         model.edges.sort_unstable();
         model.edges.dedup();
         model
@@ -171,7 +177,7 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
             .extend(model.images.iter().filter_map(Image::file));
         Ok(model)
     };
-    read().map_err(|problem| format!("model {name}: {}", text::one_line(&problem)))
+    read().map_err(|problem| text::one_line(&problem))
 }
 
 /// The index of the next element of a list.

@@ -30,6 +30,8 @@ pub struct Options {
     pub part: Option<String>,
     /// If given, only faces of the object with this name are kept.
     pub object: Option<String>,
+    /// What a user can do about too many values.
+    pub remedy: &'static str,
     /// Whether faces and values keep the file's order. If not, they are put into an order in which a draw call projects
     /// fewer vertices, if there is one: faces among those of the same material, except those that are not opaque.
     pub file_order: bool,
@@ -43,6 +45,7 @@ impl Default for Options {
             z_up: false,
             part: None,
             object: None,
+            remedy: "include the parts of its materials one by one",
             file_order: false,
         }
     }
@@ -90,22 +93,20 @@ fn fixed(x: f64, fraction: u32) -> Option<i32> {
     (f64::from(bits).total_cmp(&(units + 0.0)).is_eq()).then_some(bits)
 }
 
-/// For each face, the indices of an attribute's values. The list is empty if the attribute can use the indices of the
-/// positions.
+/// For each face, the indices of an attribute's values. The list is empty if there are no values, or the attribute can
+/// use the indices of the positions.
 fn own_faces(
-    triangles: &[&Triangle],
-    (positions, values): (usize, usize),
+    model: &Model,
+    values: usize,
     index: impl Fn(&Corner) -> Option<u32>,
 ) -> Vec<[u16; 3]> {
-    let mut corners = triangles.iter().flat_map(|triangle| &triangle.corners);
-    let is_own = values != positions
-        || corners.any(|corner| index(corner).is_none_or(|index| index != corner.position));
-    let faces = triangles.iter().map(|triangle| {
-        triangle
-            .corners
-            .map(|corner| index(&corner).map_or(NO_VALUE, narrow))
-    });
-    if is_own { faces.collect() } else { Vec::new() }
+    let triangles = model.triangles.iter();
+    let mut corners = triangles.clone().flat_map(|triangle| &triangle.corners);
+    let is_own = values != model.positions.len()
+        || corners.any(|corner| index(corner) != Some(corner.position));
+    let own = |corner| index(&corner).map_or(NO_VALUE, narrow);
+    let faces = triangles.map(|triangle| triangle.corners.map(own));
+    faces.filter(|_| values > 0 && is_own).collect()
 }
 
 /// Converts an index that [`Model::lists`] has checked.
@@ -250,8 +251,9 @@ impl Model {
         ];
         for (count, kind) in kinds {
             if count > MOST {
+                let remedy = options.remedy;
                 return Err(format!(
-                    "it has {count} {kind}: a mesh can have at most {MOST}; include the parts of its materials one by one"
+                    "it has {count} {kind}: a mesh can have at most {MOST}; {remedy}"
                 ));
             }
         }
@@ -297,38 +299,19 @@ impl Model {
             };
             turned.map(|x| fixed(x * scale, SCALAR).unwrap_or(0))
         };
-        let triangles: Vec<&Triangle> = model.triangles.iter().collect();
-        let has = |index: fn(&Corner) -> Option<u32>| {
-            let mut corners = triangles.iter().flat_map(|triangle| &triangle.corners);
-            corners.any(|corner| index(corner).is_some())
-        };
-        let mut lists = Lists {
-            faces: triangles
-                .iter()
-                .map(|triangle| triangle.corners.map(|corner| narrow(corner.position)))
-                .collect(),
+        let faces = model.triangles.iter().map(|triangle| triangle.corners);
+        let faces = faces.map(|corners| corners.map(|corner| narrow(corner.position)));
+        Ok(Lists {
+            faces: faces.collect(),
             edges: model.edges.iter().map(|edge| edge.map(narrow)).collect(),
-            ..Lists::default()
-        };
-        let count = positions.len();
-        if has(|corner| corner.uv) {
-            lists.uvs = model.uvs.iter().map(uv).collect();
-            lists.uv_faces = own_faces(&triangles, (count, model.uvs.len()), |corner| corner.uv);
-        }
-        if has(|corner| corner.normal) {
-            lists.normals = model.normals.iter().map(normal).collect();
-            lists.normal_faces = own_faces(&triangles, (count, model.normals.len()), |corner| {
-                corner.normal
-            });
-        }
-        if has(|corner| corner.color) {
-            lists.colors.clone_from(&model.colors);
-            lists.color_faces = own_faces(&triangles, (count, model.colors.len()), |corner| {
-                corner.color
-            });
-        }
-        lists.positions = positions;
-        Ok(lists)
+            uvs: model.uvs.iter().map(uv).collect(),
+            uv_faces: own_faces(&model, model.uvs.len(), |corner| corner.uv),
+            normals: model.normals.iter().map(normal).collect(),
+            normal_faces: own_faces(&model, model.normals.len(), |corner| corner.normal),
+            color_faces: own_faces(&model, model.colors.len(), |corner| corner.color),
+            colors: model.colors,
+            positions,
+        })
     }
 
     /// The least and the greatest coordinates of the positions that faces use, in the file's units. A model that was
@@ -369,7 +352,7 @@ impl Model {
             let rounded = |point: &Vector| point.map(|x| (x * steps).round() as i64);
             points.iter().map(rounded).collect::<HashSet<_>>().len()
         };
-        if fine <= scale.abs() || !fine.is_finite() {
+        if fine <= scale.abs() {
             return None;
         }
         let (apart, kept) = (distinct(fine), distinct(scale));

@@ -1,15 +1,15 @@
 //! Reads MTL files, which describe the materials of OBJ files.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 
 use super::files::Folder;
-use super::material::Affine;
+use super::material::{Affine, GLOW_ELSEWHERE};
 use super::text::{first_word, number, numbers, quote, statements};
 use super::{Alpha, Image, Material, Model, Notes, merge, next};
 
 /// Words that get no note, because most files have them: ambient light, highlights and refraction.
-const UNUSED: &str = " Ka Ks Ni Ns Tf Tr illum sharpness map_Ka map_aat";
+const UNUSED: &str = " Ka Ks Ni Ns Tf Tr illum sharpness map_aat";
 
 /// The state of a reader of MTL text, besides the model's list of materials.
 #[derive(Default)]
@@ -22,11 +22,30 @@ pub struct Materials {
 }
 
 impl Materials {
+    /// Whether there is a material with this name.
+    pub fn has(&self, name: &[u8]) -> bool {
+        self.places.contains_key(&*String::from_utf8_lossy(name))
+    }
+
     /// The index of the material with this name. If there is no such material yet, a white material is added.
     pub fn named(&mut self, model: &mut Model, name: &[u8]) -> Result<u32, String> {
         let name = String::from_utf8_lossy(name).into_owned();
         let material = Material::new(name.clone());
         merge(&mut model.materials, &mut self.places, name, material)
+    }
+
+    /// Sets the texture of the material at `place`.
+    fn texture(
+        &mut self,
+        material: &mut Material,
+        place: u32,
+        images: &mut Vec<Image>,
+        (file, transform, clamp): Map,
+    ) {
+        material.texture = next(images).ok();
+        images.push(Image::File(file));
+        (material.alpha, material.clamp) = (Alpha::Cut(128), [clamp; 2]);
+        self.transforms.insert(place, transform);
     }
 
     /// Adds the materials of MTL text to a model.
@@ -35,6 +54,10 @@ impl Materials {
     pub fn add(&mut self, model: &mut Model, mtl: &[u8], folder: Folder<'_>) -> Result<(), String> {
         let mut skipped = "a line before the first newmtl is skipped";
         let (mut current, mut has_d, mut masks) = (None, false, Vec::new());
+        // The last texture of each kind counts.
+        let (mut ambient, mut glows) = (BTreeMap::new(), BTreeMap::new());
+        // Materials that state the transparency 1 and no opacity.
+        let mut clear = HashSet::new();
         for (_, line) in statements(mtl, |_, _| ()) {
             let (keyword, value) = first_word(&line).unwrap_or_default();
             if keyword == b"newmtl" {
@@ -52,20 +75,27 @@ impl Materials {
                 match keyword {
                     b"Kd" => material.color = color(value, notes)?,
                     b"Ke" => material.emission = color(value, notes)?,
-                    b"d" => (material.opacity, has_d) = (fraction(value, notes)?, true),
-                    // Programs disagree about the meaning of Tr.
-                    b"Tr" if !has_d => material.opacity = 1.0 - fraction(value, notes)?,
+                    b"d" => {
+                        (material.opacity, has_d) = (fraction(value, notes)?, true);
+                        clear.remove(&place);
+                    }
+                    b"Tr" if !has_d => {
+                        material.opacity = 1.0 - fraction(value, notes)?;
+                        if material.opacity == 0.0 {
+                            clear.insert(place);
+                        }
+                    }
                     b"map_d" => masks.push((place, map(value, notes, folder)?.0)),
                     b"map_Kd" => {
-                        let (file, changes, clamp) = map(value, notes, folder)?;
-                        material.texture = next(&model.images).ok();
-                        model.images.push(Image::File(file));
-                        (material.alpha, material.clamp) = (Alpha::Cut(128), [clamp; 2]);
-                        // In the file, v points up.
-                        let [[a, b], [u, v]] = changes;
-                        let transform = [[a, 0.0, u], [0.0, b, 1.0 - b - v]];
-                        self.transforms.insert(place, transform);
+                        self.texture(
+                            material,
+                            place,
+                            &mut model.images,
+                            map(value, notes, folder)?,
+                        );
                     }
+                    b"map_Ka" => drop(ambient.insert(place, map(value, notes, folder)?)),
+                    b"map_Ke" => drop(glows.insert(place, map(value, notes, folder)?)),
                     _ if UNUSED.split(' ').any(|word| word.as_bytes() == keyword) => {}
                     _ => notes.left_out(quote(keyword)),
                 }
@@ -75,6 +105,19 @@ impl Materials {
                 notes.add(format!("{} of a material cannot be read", quote(keyword)));
             }
         }
+        // Programs disagree about the meaning of Tr.
+        if !clear.is_empty() {
+            model.notes.add("Tr 1 without d is read as opaque");
+        }
+        for place in clear {
+            model.materials[place as usize].opacity = 1.0;
+        }
+        for (place, map) in ambient {
+            let material = &mut model.materials[place as usize];
+            if material.texture.is_none() {
+                self.texture(material, place, &mut model.images, map);
+            }
+        }
         // An alpha channel is used only if it is in the texture's own file.
         for (place, file) in masks {
             let texture = model.materials[place as usize].texture;
@@ -82,9 +125,33 @@ impl Materials {
                 model.notes.left_out(quote(b"map_d"));
             }
         }
+        for (place, (file, transform, clamp)) in glows {
+            let mut material = model.materials[place as usize].clone();
+            if material.texture.is_none() {
+                material.clamp = [clamp; 2];
+            }
+            let own = *self.transforms.entry(place).or_insert(transform);
+            if own == transform && material.clamp == [clamp; 2] {
+                let glow = next(&model.images)?;
+                model.images.push(Image::File(file));
+                // Some programs write no emission, or black, beside a texture of it.
+                if material.emission == [0; 3] {
+                    material.emission = [255; 3];
+                }
+                let light = material.emission.map(|x| f64::from(x) / 255.0);
+                model.glow(&mut material, glow, light);
+            } else {
+                model.notes.left_out(GLOW_ELSEWHERE);
+                material.emission = [0; 3];
+            }
+            model.materials[place as usize] = material;
+        }
         Ok(())
     }
 }
+
+/// The value of a texture statement: the file, the transform of coordinates, and whether the texture is clamped.
+type Map = (PathBuf, Affine, bool);
 
 /// Reads a color: three components, or one component for a gray.
 fn color(value: &[u8], notes: &mut Notes) -> Option<[u8; 3]> {
@@ -108,13 +175,10 @@ pub fn byte(component: f64) -> u8 {
     byte
 }
 
-/// A scale and an offset of texture coordinates, in this order.
-type Changes = [[f64; 2]; 2];
-
 /// Reads the value of a texture statement: options with any number of values each, and then the name of a file. The
-/// name can contain blanks. Returns the path of the file, the scale and offset, and whether the texture is clamped
-/// along both axes.
-fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, Changes, bool)> {
+/// name can contain blanks. Returns the path of the file, the transform of coordinates, and whether the texture is
+/// clamped along both axes.
+fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<Map> {
     let (mut rest, mut changes, mut clamp) = (value, [[1.0; 2], [0.0; 2]], false);
     let (mut option, mut count) = (b"".as_slice(), 0);
     while let Some((word, after)) = first_word(rest) {
@@ -138,5 +202,8 @@ fn map(value: &[u8], notes: &mut Notes, folder: Folder<'_>) -> Option<(PathBuf, 
         rest = after;
     }
     let name = String::from_utf8_lossy(rest);
-    (!rest.is_empty()).then(|| (folder.beside(&name), changes, clamp))
+    // In the file, v points up.
+    let [[a, b], [u, v]] = changes;
+    let transform = [[a, 0.0, u], [0.0, b, 1.0 - b - v]];
+    (!rest.is_empty()).then(|| (folder.beside(&name), transform, clamp))
 }

@@ -54,6 +54,11 @@ impl Notes {
             .chain((!self.left_out.is_empty()).then_some(left_out))
     }
 
+    /// Whether there is no sentence, only names.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.sentences.is_empty()
+    }
+
     /// Whether nothing was replaced or left out.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -1,6 +1,7 @@
 //! Reads Wavefront OBJ files of any size.
 
 use std::collections::HashSet;
+use std::path::PathBuf;
 
 use super::files::Folder;
 use super::mtl::{self, Materials};
@@ -90,6 +91,7 @@ impl Reader {
                 });
             }
             b"l" => {
+                model.has_lines = true;
                 let position = |word: &[u8]| corner(model, word).position;
                 let ends: Vec<u32> = words(value).map(position).collect();
                 for ends in ends.windows(2) {
@@ -105,7 +107,7 @@ impl Reader {
                 Some((_, Some(group))) => self.smoothing = Smoothing::Group(group),
                 _ => (model.notes).add("a smoothing group is skipped: it is not a number"),
             },
-            b"usemtl" if value.is_empty() => self.material = None,
+            b"usemtl" if value.is_empty() && !self.materials.has(value) => self.material = None,
             b"usemtl" => self.material = Some(self.materials.named(model, value)?),
             b"mtllib" if !self.libraries.insert(value.to_vec()) => {}
             b"mtllib" => self.library(&String::from_utf8_lossy(value), folder)?,
@@ -113,6 +115,7 @@ impl Reader {
                 model.begin_object(&String::from_utf8_lossy(value));
             }
             b"g" | b"o" | b"" => {}
+            b"p" => model.notes.left_out("points"),
             _ => model.notes.left_out(quote(keyword)),
         }
         Ok(())
@@ -123,12 +126,17 @@ impl Reader {
         let parts = names.split_whitespace().map(|name| folder.beside(name));
         let mut files: Vec<_> = parts.collect();
         let whole = folder.beside(names);
-        if folder.files.has(&whole) || !files.iter().any(|file| folder.files.has(file)) {
+        let is_found = |file: &PathBuf| folder.files.find(file).is_some();
+        if is_found(&whole) || !files.iter().any(is_found) {
             files = vec![whole];
         }
         let model = &mut self.model;
         for file in files {
             let name = file.display();
+            let folder = Folder {
+                own: file.parent(),
+                ..folder
+            };
             match folder.files.read(&file) {
                 Ok(text) => self.materials.add(model, &text, folder)?,
                 Err(error) => (model.notes).add(format!("cannot read materials {name}: {error}")),

@@ -14,12 +14,18 @@ use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
+use zune_jpeg::errors::DecodeErrors;
+
+use crate::material::times;
+use crate::{Alpha, sniff};
 
 /// The largest number of pixels that a picture may have: 16,384 x 16,384.
 const MOST: u64 = 1 << 28;
 
 /// Any file may have this many pixels: 256 x 256. Decoding them takes milliseconds.
 const FEW: u64 = 1 << 16;
+
+const CAN_BE_READ: &str = "PNG, JPEG, BMP, TGA, GIF and WebP can be read";
 
 /// A picture: its pixels, row by row from the top, as red, green, blue and alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,13 +69,61 @@ impl Picture {
         } else if tga::is(bytes) {
             tga::read(bytes)
         } else {
-            Err("it is not a PNG, JPEG, BMP, TGA, GIF or WebP".into())
+            Err(sniff::refusal(bytes, CAN_BE_READ)
+                .unwrap_or_else(|| "it is not a PNG, JPEG, BMP, TGA, GIF or WebP".into()))
         }?;
         let pixels = u64::from(picture.width) * u64::from(picture.height);
         if pixels == 0 || picture.pixels.len() as u64 != pixels {
             return Err("its size does not match its number of pixels".into());
         }
         Ok(picture)
+    }
+
+    /// Multiplies all colors by `tint`.
+    pub(crate) fn tint(&mut self, tint: [u8; 3]) {
+        if tint != [255; 3] {
+            for [r, g, b, _] in &mut self.pixels {
+                [*r, *g, *b] = times([*r, *g, *b], tint);
+            }
+        }
+    }
+
+    /// Adds the light of another picture, multiplied by `light`. The picture gets the size of the one with more pixels:
+    /// a short file could make a picture of both pictures' longer sides too large.
+    pub(crate) fn add(&mut self, glow: &Self, light: [f64; 3]) {
+        let is_larger = glow.pixels.len() > self.pixels.len();
+        let of = if is_larger { glow } else { &*self };
+        let (width, height) = (of.width, of.height);
+        *self = self.resampled(width, height);
+        for (pixel, glow) in self
+            .pixels
+            .iter_mut()
+            .zip(glow.resampled(width, height).pixels)
+        {
+            for (channel, (glow, light)) in pixel.iter_mut().zip(glow.into_iter().zip(light)) {
+                let sum = f64::from(*channel) + f64::from(glow) * light;
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+                (*channel = sum.round() as u8);
+            }
+        }
+    }
+
+    /// Replaces each alpha by the opacity that `alpha` says it means. If no pixel is visible then, makes all opaque,
+    /// and returns true.
+    pub fn cut(&mut self, alpha: Alpha) -> bool {
+        for [.., a] in &mut self.pixels {
+            *a = match alpha {
+                Alpha::Ignored => 255,
+                Alpha::Cut(least) if *a >= least => 255,
+                Alpha::Cut(_) => 0,
+                Alpha::Blended => *a,
+            };
+        }
+        let is_hidden = self.pixels.iter().all(|pixel| pixel[3] == 0);
+        if is_hidden {
+            self.pixels = shown(std::mem::take(&mut self.pixels));
+        }
+        is_hidden
     }
 
     /// Whether any pixel is not opaque.
@@ -107,6 +161,9 @@ impl Picture {
     /// so the colors of invisible pixels have no weight.
     #[must_use]
     pub fn resampled(&self, width: u32, height: u32) -> Self {
+        if (width, height) == (self.width, self.height) {
+            return self.clone();
+        }
         let (columns, rows) = (weights(self.width, width), weights(self.height, height));
         let stride = self.width.max(1) as usize;
         let mean = |row: &[(usize, f32)], at: &dyn Fn(usize) -> [f32; 4]| {
@@ -171,12 +228,14 @@ fn weights(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     (0..to).map(one).collect()
 }
 
-/// Refuses pictures without pixels, and pictures that are too large: for any file ([`MOST`]), or for a file of this size,
-/// because a short file must not claim much memory and time. So this must come before the first loop over the pixels.
+/// Refuses pictures without pixels, and pictures that are too large: for any file ([`MOST`]), or for a file of this
+/// size, because a short file must not claim much memory and time: at most 16 pixels a byte, or 4096 x 4096 pixels. So
+/// this must come before the first loop over the pixels.
 /// `most` is the largest number of pixels that the format can store in the file's bytes. Pictures of up to [`FEW`] pixels
 /// are read even if they have more.
 fn check(bytes: &[u8], most: u64, width: u64, height: u64) -> Result<(), String> {
-    let most = most.clamp(FEW, MOST);
+    let bounded = (16 * bytes.len() as u64).max(1 << 24);
+    let most = most.min(bounded).clamp(FEW, MOST);
     if (1..=most).contains(&(width * height)) {
         return Ok(());
     }
@@ -186,14 +245,9 @@ fn check(bytes: &[u8], most: u64, width: u64, height: u64) -> Result<(), String>
     ))
 }
 
-/// A picture from samples of 1 to 4 channels: gray, gray and alpha, RGB or RGBA.
-fn picture(
-    width: usize,
-    height: usize,
-    samples: &[u8],
-    channels: usize,
-) -> Result<Picture, String> {
-    let pixels = samples.chunks_exact(channels).map(|s| match *s {
+/// A picture from samples of `count` channels: gray, gray and alpha, RGB or RGBA.
+fn picture(width: usize, height: usize, samples: &[u8], count: usize) -> Result<Picture, String> {
+    let pixels = samples.chunks_exact(count).map(|s| match *s {
         [gray] => [gray, gray, gray, 255],
         [gray, alpha] => [gray, gray, gray, alpha],
         [r, g, b] => [r, g, b, 255],
@@ -222,11 +276,8 @@ fn indexed(
 ) -> Result<Picture, String> {
     let color = |&at: &u8| colors.get(usize::from(at)).copied();
     let pixels: Option<_> = indices.iter().map(color).collect();
-    let mut picture = colored(
-        width,
-        height,
-        pixels.ok_or("a color index is not in its table")?,
-    )?;
+    let pixels = pixels.ok_or("a color index is not in its table")?;
+    let mut picture = colored(width, height, pixels)?;
     picture.table = Some(Table { indices, colors });
     Ok(picture)
 }
@@ -241,10 +292,8 @@ fn unpacked(row: &[u8], bits: usize, width: usize) -> impl Iterator<Item = u8> {
 /// The color of a pixel, from the bits that the masks of red, green, blue and alpha select. If the mask of alpha is 0,
 /// alpha is 255.
 fn masked(raw: &[u8], masks: [u32; 4]) -> [u8; 4] {
-    let bits = raw
-        .iter()
-        .rev()
-        .fold(0, |bits, &byte| bits << 8 | u32::from(byte));
+    let high_first = raw.iter().rev();
+    let bits = high_first.fold(0, |bits, &byte| bits << 8 | u32::from(byte));
     let mut color = masks.map(|mask| {
         let shift = mask.trailing_zeros() % 32;
         let (value, most) = ((bits & mask) >> shift, (mask >> shift).max(1));
@@ -315,14 +364,9 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
             let colors = colors.chunks_exact(3).zip(alphas);
             let rows = samples.chunks_exact(frame.line_size);
             let bits = frame.bit_depth as usize;
-            return indexed(
-                width,
-                height,
-                rows.flat_map(|row| unpacked(row, bits, width)).collect(),
-                colors
-                    .map(|(rgb, alpha)| [rgb[0], rgb[1], rgb[2], alpha])
-                    .collect(),
-            );
+            let indices = rows.flat_map(|row| unpacked(row, bits, width)).collect();
+            let colors = colors.map(|(rgb, alpha)| [rgb[0], rgb[1], rgb[2], alpha]);
+            return indexed(width, height, indices, colors.collect());
         }
     };
     picture(width, height, samples, channels)
@@ -335,15 +379,90 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
     }
     let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
-    decoder.decode_headers().map_err(text)?;
+    check_planes(bytes)?;
+    decoder.decode_headers().map_err(jpeg_text)?;
+    let turn = decoder.exif().map_or(1, |exif| orientation(exif));
     let info = decoder.info().ok_or("it has no header")?;
     // A block takes at least 1 bit, in a progressive file without details. It covers 8x8 pixels, or up to 32x32 pixels
     // if its component has fewer samples. But at least one component has all columns, and at least one has all rows. If
     // these are two components, each has 4 blocks per 32x32 pixels. So 8 bits hold at most 32x32 pixels.
     let most = bytes.len() as u64 * 32 * 32;
     check(bytes, most, info.width.into(), info.height.into())?;
-    let samples = decoder.decode().map_err(text)?;
-    picture(info.width.into(), info.height.into(), &samples, 3)
+    let samples = decoder.decode().map_err(jpeg_text)?;
+    let picture = picture(info.width.into(), info.height.into(), &samples, 3)?;
+    Ok(oriented(picture, turn))
+}
+
+/// Refuses colors that the JPEG decoder would place wrongly without an error: those of reduced planes that a baseline
+/// file stores one after another, and planes with more columns than the first.
+fn check_planes(bytes: &[u8]) -> Result<(), String> {
+    let (mut at, mut frame) = (2, (0, &[][..]));
+    while let Some(&[0xff, marker, high, low]) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
+        let end = at + 2 + usize::from(u16::from_be_bytes([high, low]));
+        let data = bytes.get(at + 4..end).unwrap_or_default();
+        match (marker, data) {
+            (0xc0..=0xc2, _) => frame = (marker, data.get(6..).unwrap_or_default()),
+            (0xda, [count, ..]) => {
+                let (kind, planes) = frame;
+                let samples: Vec<u8> = planes.chunks_exact(3).map(|plane| plane[1]).collect();
+                let first = samples.first().copied().unwrap_or(0);
+                let is_alike = samples.iter().all(|&other| other == first);
+                let is_apart = kind < 0xc2 && usize::from(*count) < samples.len();
+                let is_finer = samples.iter().any(|&other| other >> 4 > first >> 4);
+                if (is_apart && !is_alike) || is_finer {
+                    return Err("its colors are stored in an unusual order: save it again".into());
+                }
+                break;
+            }
+            _ => {}
+        }
+        // Bytes of 0xff can come before a marker.
+        at = if marker == 0xff { at + 1 } else { end };
+    }
+    Ok(())
+}
+
+/// The message of the JPEG decoder's error, whose own text has quotation marks and names of types.
+fn jpeg_text(error: DecodeErrors) -> String {
+    match error {
+        DecodeErrors::Format(text) => text,
+        DecodeErrors::FormatStatic(text) => text.into(),
+        DecodeErrors::IoErrors(_) => "it ends too early".into(),
+        other => other.to_string(),
+    }
+}
+
+/// The orientation that Exif data states, from 1 to 8; 1 if they state none.
+fn orientation(exif: &[u8]) -> u8 {
+    // The entry of the orientation, without its value: a number of 16 bits, the low or the high byte first.
+    let entries = [
+        (b"\x12\x01\x03\0\x01\0\0\0", 8),
+        (b"\x01\x12\0\x03\0\0\0\x01", 9),
+    ];
+    let mut found = entries.iter().filter_map(|&(entry, value)| {
+        let start = exif.windows(8).position(|bytes| bytes == entry)?;
+        exif.get(start + value).copied()
+    });
+    let value = found.next().filter(|value| (1..=8).contains(value));
+    value.unwrap_or(1)
+}
+
+/// A picture upright, from its Exif orientation: the sides where its first row and its first column are.
+fn oriented(mut picture: Picture, orientation: u8) -> Picture {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    if orientation > 4 {
+        let place = |at: usize| at % height * width + at / height;
+        picture.pixels = (0..width * height)
+            .map(|at| picture.pixels[place(at)])
+            .collect();
+        (picture.width, picture.height) = (picture.height, picture.width);
+    }
+    let (up, left) = (
+        matches!(orientation, 3 | 4 | 7 | 8),
+        matches!(orientation, 2 | 3 | 6 | 7),
+    );
+    picture.pixels = turned(picture.pixels, picture.width as usize, up, left);
+    picture
 }
 
 fn gif(bytes: &[u8]) -> Result<Picture, String> {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::files::Folder;
 use crate::mtl::byte;
-use crate::text::{number, quote, words};
+use crate::text::{number, parse, quote, words};
 use crate::{Corner, Image, Material, Model, Smoothing, merge, next};
 
 /// Reads a PLY file: its elements `vertex`, `face` and `tristrips`.
@@ -24,23 +24,9 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
             if faces.ends.is_empty() {
                 return Err(problem);
             }
-            model
-                .notes
-                .add(format!("the rest of the file is left out: {problem}"));
+            let note = format!("the rest of the file is left out: {problem}");
+            model.notes.add(note);
             break;
-        }
-    }
-    if faces.ends.is_empty() {
-        let has = |name: &str| {
-            elements
-                .iter()
-                .any(|element| element.name == name && element.count > 0)
-        };
-        if has("edge") {
-            return Err("it has edges, but no faces: only faces are drawn".into());
-        }
-        if has("vertex") {
-            return Err("it is a cloud of points: only faces are drawn, and it has none".into());
         }
     }
     // A file can have its faces before its vertices, so the faces become polygons only after all elements are read.
@@ -214,74 +200,51 @@ impl<'a> File<'a> {
             match words.as_slice() {
                 [b"end_header"] => return Ok(elements),
                 [b"format", format, ..] => {
-                    self.order = match *format {
-                        b"ascii" => Order::Text,
-                        b"binary_little_endian" => Order::Little,
-                        b"binary_big_endian" => Order::Big,
-                        other => {
-                            return Err(format!(
-                                "line {}: there is no format {}",
-                                self.line,
-                                quote(other)
-                            ));
-                        }
+                    let order = match *format {
+                        b"ascii" => Some(Order::Text),
+                        b"binary_little_endian" => Some(Order::Little),
+                        b"binary_big_endian" => Some(Order::Big),
+                        _ => None,
                     };
+                    let (line, name) = (self.line, quote(format));
+                    self.order =
+                        order.ok_or_else(|| format!("line {line}: there is no format {name}"))?;
                 }
                 [b"comment", b"TextureFile", name @ ..]
                     if !name.is_empty() && model.images.is_empty() =>
                 {
-                    let name: Vec<String> = name.iter().map(|word| text(word)).collect();
-                    model
-                        .images
-                        .push(Image::File(folder.beside(&name.join(" "))));
+                    let file = folder.beside(&text(&name.join(&b' ')));
+                    model.images.push(Image::File(file));
                     model.materials.push(Material {
                         texture: Some(0),
                         ..Material::new(String::new())
                     });
                 }
                 [b"element", name, count] => {
-                    let count = number(count)
-                        .ok()
-                        .filter(|count| count.fract() == 0.0 && (0.0..1e15).contains(count));
-                    let count = count.ok_or_else(|| {
+                    let count = parse(count).ok_or_else(|| {
                         format!("line {}: the number of elements is missing", self.line)
                     })?;
-                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
-                    let count = count as usize;
                     elements.push(Element {
                         name: text(name),
                         count,
                         properties: Vec::new(),
                     });
                 }
-                [b"property", b"list", count, values, name] => {
+                [b"property", list @ .., values, name] if matches!(list, [] | [b"list", _]) => {
                     let property = Property {
                         name: text(name),
-                        count: Some(kind(count)?),
+                        count: list.get(1).map(|count| kind(count)).transpose()?,
                         kind: kind(values)?,
                     };
-                    elements
-                        .last_mut()
-                        .ok_or("a property comes before its element")?
-                        .properties
-                        .push(property);
-                }
-                [b"property", value, name] => {
-                    let property = Property {
-                        name: text(name),
-                        count: None,
-                        kind: kind(value)?,
-                    };
-                    elements
-                        .last_mut()
-                        .ok_or("a property comes before its element")?
-                        .properties
-                        .push(property);
+                    let element = elements.last_mut();
+                    let element = element.ok_or("a property comes before its element")?;
+                    element.properties.push(property);
                 }
                 [] | [b"ply" | b"comment" | b"obj_info", ..] => {}
-                [_, ..] => model
-                    .notes
-                    .add("a line of the header that is not of PLY is left out"),
+                [_, ..] => {
+                    let note = "a line of the header that is not of PLY is left out";
+                    model.notes.add(note);
+                }
             }
         }
     }
@@ -296,33 +259,23 @@ impl<'a> File<'a> {
             let word = words.next().ok_or("a number is missing")?;
             return number(word);
         }
-        let bytes = self
-            .bytes
-            .get(self.at..)
-            .and_then(|rest| rest.get(..kind.size));
-        let bytes = bytes.ok_or("the file ends here")?;
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let bytes = rest.get(..kind.size).ok_or("the file ends here")?;
         self.at += kind.size;
         let mut low_first = [0; 8];
-        for (at, &byte) in bytes.iter().enumerate() {
-            low_first[if self.order == Order::Big {
-                kind.size - 1 - at
-            } else {
-                at
-            }] = byte;
+        low_first[..kind.size].copy_from_slice(bytes);
+        if self.order == Order::Big {
+            low_first[..kind.size].reverse();
         }
         let bits = u64::from_le_bytes(low_first);
         let unused = 64 - 8 * kind.size;
         #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)]
         // All values have at most 32 bits, except doubles.
-        Ok(match kind {
-            Kind {
-                float: true,
-                size: 4,
-                ..
-            } => f32::from_bits(bits as u32).into(),
-            Kind { float: true, .. } => f64::from_bits(bits),
-            Kind { signed: true, .. } => ((bits << unused).cast_signed() >> unused) as f64,
-            Kind { .. } => bits as f64,
+        Ok(match (kind.float, kind.size) {
+            (true, 4) => f32::from_bits(bits as u32).into(),
+            (true, _) => f64::from_bits(bits),
+            _ if kind.signed => ((bits << unused).cast_signed() >> unused) as f64,
+            _ => bits as f64,
         })
     }
 
@@ -356,10 +309,8 @@ impl<'a> File<'a> {
         folder: Folder<'_>,
     ) -> Result<(), String> {
         let find = |names: &&[&str]| {
-            element
-                .properties
-                .iter()
-                .position(|property| names.contains(&property.name.as_str()))
+            let mut properties = element.properties.iter();
+            properties.position(|property| names.contains(&property.name.as_str()))
         };
         let fields = |names: &[&[&str]]| names.iter().map(find).collect::<Option<Vec<usize>>>();
         let position = fields(&[&["x"], &["y"], &["z"]]);

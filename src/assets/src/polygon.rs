@@ -32,21 +32,14 @@ impl Model {
             self.notes.add("a face of fewer than 3 corners is left out");
             return Ok(());
         }
-        for corner in &*corners {
-            match self.is_usable(corner.position) {
-                Some(true) => {}
-                Some(false) => {
-                    self.notes.add(
-                        "a face is left out: a coordinate of a corner is not a number from -1e30 to 1e30",
-                    );
-                    return Ok(());
-                }
-                None => {
-                    self.notes
-                        .add("a face is left out: it names a vertex that does not exist");
-                    return Ok(());
-                }
-            }
+        let problem = |corner: &Corner| match self.is_usable(corner.position) {
+            Some(true) => None,
+            Some(false) => Some("a coordinate of a corner is not a number from -1e30 to 1e30"),
+            None => Some("it names a vertex that does not exist"),
+        };
+        if let Some(problem) = corners.iter().find_map(problem) {
+            self.notes.add(format!("a face is left out: {problem}"));
+            return Ok(());
         }
         self.fix_uvs(corners)?;
         self.fix_normals(corners)?;

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use crate::text::unescaped;
+
 /// The format of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
@@ -15,44 +17,71 @@ pub enum Format {
     Gltf,
 }
 
-/// A file format: the [`Format`], or `None` if fixel cannot read it; the name with an article; the file name
-/// extensions; and the text that identifies its files, or "" if no text does.
-type Row = (Option<Format>, &'static str, &'static str, &'static str);
-
-const FORMATS: [Row; 17] = [
-    (Some(Format::Stl), "an STL", "stl", ""),
-    (Some(Format::Obj), "an OBJ", "obj", ""),
-    (Some(Format::Ply), "a PLY", "ply", "ply"),
-    (Some(Format::Gltf), "a glTF", "glb gltf", "glTF"),
-    (Some(Format::Gltf), "a glTF", "glb gltf", "{"),
-    (None, "an FBX", "fbx", "Kaydara FBX"),
-    (None, "a COLLADA", "dae", "<COLLADA"),
-    (None, "an X3D", "x3d", "<X3D"),
-    (None, "a 3MF", "3mf", ""),
-    (None, "a USDZ", "usdz", ""),
-    (None, "an OFF", "off", "OFF"),
-    (None, "a Blender", "blend", "BLENDER"),
-    (None, "a STEP", "step stp", "ISO-10303-21"),
-    (None, "a MilkShape 3D", "ms3d", "MS3D000000"),
-    (None, "a 3D Studio", "3ds", ""),
-    (None, "an MD2", "md2", "IDP2"),
-    (None, "a VRML", "vrml wrl", "#VRML"),
-];
+/// The known formats, one a line: the name with an article, the file name extensions, the bytes with which files begin,
+/// if any identify them, and what to do with a file that cannot be read, if not to save it in another format.
+const FORMATS: &str = include_str!("formats.tsv");
 
 const CAN_BE_READ: &str = "OBJ, STL, PLY, glTF and GLB can be read";
 
+/// The remedy for archives.
+const UNPACK: &str = "unpack it";
+
+/// A line of [`FORMATS`].
+#[derive(Clone, Copy)]
+struct Row<'a> {
+    name: &'a str,
+    ends: &'a str,
+    start: &'a str,
+    remedy: &'a str,
+}
+
+fn rows() -> impl Iterator<Item = Row<'static>> {
+    FORMATS.lines().skip(1).map(|line| {
+        let mut cells = line.split('\t');
+        let [name, ends, start, remedy] = [(); 4].map(|()| cells.next().unwrap_or(""));
+        Row {
+            name,
+            ends,
+            start,
+            remedy,
+        }
+    })
+}
+
+impl Row<'_> {
+    /// The format, if it is one of a model that can be read.
+    fn format(self) -> Option<Format> {
+        Some(match self.name {
+            "an STL" => Format::Stl,
+            "an OBJ" => Format::Obj,
+            "a PLY" => Format::Ply,
+            "a glTF" => Format::Gltf,
+            _ => return None,
+        })
+    }
+
+    /// Why a file of this format cannot be read.
+    fn refusal(self, can_be_read: &str) -> String {
+        let remedy = if self.remedy.is_empty() {
+            can_be_read
+        } else {
+            self.remedy
+        };
+        format!("it is {} file: {remedy}", self.name)
+    }
+}
+
 /// The row with the extension of `path`.
-fn named(path: &Path) -> Option<&'static Row> {
+fn named(path: &Path) -> Option<Row<'static>> {
     let ending = path.extension()?.to_ascii_lowercase();
-    let has = |row: &&Row| row.2.split(' ').any(|other| ending == other);
-    FORMATS.iter().find(has)
+    rows().find(|row| row.ends.split(' ').any(|other| ending == other))
 }
 
 impl Format {
     /// The format that the extension of `path` names.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
-        named(path)?.0
+        named(path)?.format()
     }
 }
 
@@ -63,18 +92,30 @@ pub fn is_binary_stl(bytes: &[u8]) -> bool {
 }
 
 /// The row of the format that the start of the file shows. OBJ files have no signature.
-fn marked(bytes: &[u8]) -> Option<&'static Row> {
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]);
-    let text = start.trim_start_matches('\u{feff}').trim_start();
+fn marked(bytes: &[u8]) -> Option<Row<'static>> {
+    let start = &bytes[..bytes.len().min(1024)];
+    let text = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    let text = text.trim_ascii_start();
     let lower = text.to_ascii_lowercase();
-    let is_stl = is_binary_stl(bytes) || (lower.starts_with("solid") && lower.contains("facet"));
-    let is_found = |(format, _, _, mark): &&Row| match format {
-        Some(Format::Stl) => is_stl,
-        // In an XML file, declarations and comments can come before the mark.
-        _ if mark.starts_with('<') => text.starts_with('<') && text.contains(mark),
-        _ => !mark.is_empty() && text.starts_with(mark),
+    let has = |word: &[u8]| lower.windows(word.len()).any(|part| part == word);
+    let is_stl = is_binary_stl(bytes) || (lower.starts_with(b"solid") && has(b"facet"));
+    let begins = |text: &[u8], mark: &[u8]| {
+        let mut pairs = mark.iter().zip(text);
+        text.len() >= mark.len() && pairs.all(|(mark, byte)| *mark == b'?' || mark == byte)
     };
-    FORMATS.iter().find(is_found)
+    rows().find(|row| match row.start {
+        "" => is_stl && row.format() == Some(Format::Stl),
+        // In an XML file, declarations and comments can come before the mark, which can have any case.
+        xml if xml.starts_with('<') => text.starts_with(b"<") && has(xml.as_bytes()),
+        mark => [start, text]
+            .iter()
+            .any(|text| begins(text, &unescaped(mark))),
+    })
+}
+
+/// Why a file cannot be read, if it begins like one of a known format.
+pub fn refusal(bytes: &[u8], can_be_read: &str) -> Option<String> {
+    marked(bytes).map(|row| row.refusal(can_be_read))
 }
 
 /// Finds the format of a file.
@@ -83,21 +124,27 @@ fn marked(bytes: &[u8]) -> Option<&'static Row> {
 ///
 /// The file is empty or UTF-16 text, its format cannot be read, or the contents contradict the extension.
 pub fn format(path: &Path, bytes: &[u8]) -> Result<Format, String> {
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err("its text is UTF-16: save it as UTF-8".into());
-    }
     if bytes.trim_ascii().is_empty() {
         return Err("it is empty: it has no faces".into());
     }
-    let named = named(path);
-    match (marked(bytes).or(named), named) {
-        (None, _) => Ok(Format::Obj),
-        (Some((None, name, ..)), _) => Err(format!("it is {name} file: {CAN_BE_READ}")),
-        (Some((Some(_), found, ends, _)), Some((Some(_), name, ..))) if found != name => {
-            let what = format!("it is {found} file, not {name} file");
-            let ending = ends.replace(' ', " or .");
-            Err(format!("{what}: give it the ending .{ending}"))
-        }
-        (Some((Some(format), ..)), _) => Ok(*format),
+    let (marked, named) = (marked(bytes), named(path));
+    if marked.is_none() && (bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff")) {
+        return Err("its text is UTF-16: save it as UTF-8".into());
+    }
+    // The name tells what an archive is.
+    let is_archive = marked.is_some_and(|row| row.remedy == UNPACK);
+    let archive = named.filter(|row| is_archive && row.format().is_none());
+    let Some(row) = archive.or(marked).or(named) else {
+        return Ok(Format::Obj);
+    };
+    let format = row.format().ok_or_else(|| row.refusal(CAN_BE_READ))?;
+    match named.filter(|named| named.format().is_some_and(|named| named != format)) {
+        None => Ok(format),
+        Some(named) => Err(format!(
+            "it is {} file, not {} file: give it the ending .{}",
+            row.name,
+            named.name,
+            row.ends.replace(' ', " or .")
+        )),
     }
 }

@@ -52,10 +52,12 @@ impl Reader {
             } else if is("vertex") && !is_name {
                 missing = 3;
             }
-            let is_end = is("facet") || is("endfacet") || rest.is_empty();
-            if numbers.len() == 9 || (is_end && (missing > 0 || !numbers.is_empty())) {
+            let is_end =
+                is("outer") || is("endloop") || is("facet") || is("endfacet") || is("endsolid");
+            if (is_end || rest.is_empty()) && (missing > 0 || !numbers.is_empty()) {
                 self.facet(&numbers, None)?;
                 numbers.clear();
+                missing = 0;
                 folder.progress(self.model.triangles.len(), read);
             }
         }
@@ -80,6 +82,10 @@ impl Reader {
         // Some programs write the color of the whole object to the header.
         let mark = header.windows(6).position(|at| at == b"COLOR=");
         let object = mark.and_then(|at| header.get(at + 6..)?.first_chunk::<3>());
+        // Triangles without a color of their own have the object's. Some programs mark none, and write 0 to all.
+        let is_blank = triangles[..count]
+            .iter()
+            .all(|triangle| triangle[48..] == [0, 0]);
         let is_marked = |triangle: &[u8; 50]| triangle[49] & 0x80 > 0;
         let is_colored = object.is_some() || triangles[..count].iter().any(is_marked);
         for (at, triangle) in triangles[..count].iter().enumerate() {
@@ -87,7 +93,7 @@ impl Reader {
             let rgb = |shifts: [u32; 3]| shifts.map(|at| ((bits >> at & 31) * 33 / 4) as u8);
             let color = match (object, is_marked(triangle)) {
                 (None, true) => rgb([10, 5, 0]),
-                (Some(_), false) => rgb([0, 5, 10]),
+                (Some(_), false) if !is_blank => rgb([0, 5, 10]),
                 _ => *object.unwrap_or(&[255; 3]),
             };
             let colors = &mut self.model.colors;

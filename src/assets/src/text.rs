@@ -102,3 +102,18 @@ pub fn numbers(text: &[u8], notes: &mut Notes) -> [Option<f64>; 7] {
     }
     numbers
 }
+
+/// The bytes of a URI, or of another text with escapes such as %20.
+pub fn unescaped(uri: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut rest = uri.as_bytes();
+    while let Some((&first, after)) = rest.split_first() {
+        let code = after
+            .get(..2)
+            .filter(|_| first == b'%')
+            .and_then(|digits| u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok());
+        bytes.push(code.unwrap_or(first));
+        rest = if code.is_some() { &after[2..] } else { after };
+    }
+    bytes
+}

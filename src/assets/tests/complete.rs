@@ -339,9 +339,6 @@ fn texture_coordinates_of_the_file_stay() {
     let model = completed(&format!("{square}f 1/1 2/1 3/1\n"));
     assert!(model.had_uvs);
     assert_eq!(model.uvs, [[7.0, 0.75]]);
-    // A model without size has one point of the picture.
-    let model = completed("v 3 4 5\nf 1 1 1\n");
-    assert_eq!(placed(&model, 0).map(|(_, uv)| uv), [[0.0; 2]; 3]);
 }
 
 #[test]

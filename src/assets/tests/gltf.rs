@@ -7,7 +7,7 @@ mod common;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use common::{notes, read};
-use fixel_assets::{Alpha, Image, Model};
+use fixel_assets::{Alpha, Disk, Image, Model};
 use serde_json::{Value, json};
 
 /// A glTF document, and the bytes of its buffer.
@@ -278,11 +278,11 @@ fn components_of_every_type() {
 #[test]
 fn sparse_values() {
     let mut document = Document::square();
-    let places = document.accessor("SCALAR", 5123, 1, &2_u16.to_le_bytes());
-    let moved = document.floats("VEC3", &[5.0, 6.0, 7.0]);
+    let places = document.accessor("SCALAR", 5123, 2, &[2, 0, 3, 0]);
+    let moved = document.floats("VEC3", &[5.0, 6.0, 7.0, 1.0, 0.0, 0.0]);
     let view = |accessor: usize| document.root["accessors"][accessor]["bufferView"].clone();
     let sparse = json!({
-        "count": 1, "indices": {"bufferView": view(places), "componentType": 5123}, "values": {"bufferView": view(moved)},
+        "count": 2, "indices": {"bufferView": view(places), "componentType": 5123}, "values": {"bufferView": view(moved)},
     });
     document.root["accessors"][0]["sparse"] = sparse;
     assert_eq!(document.read().positions[2], [5.0, 6.0, 7.0]);
@@ -390,7 +390,7 @@ fn images_within_the_file() {
     );
     assert_eq!(
         notes(&model),
-        ["image 2: bufferView 99 does not exist: there are 3, counted from 0"]
+        ["image 2: its bufferViews have no number 99: there are 3, counted from 0"]
     );
 }
 
@@ -490,7 +490,7 @@ fn refusals_and_notes_name_the_element() {
     let changes: [(Change, &str); 7] = [
         (
             |d| d.primitive()["attributes"]["POSITION"] = json!(7),
-            "accessor 7 does not exist: there are 3, counted from 0",
+            "its accessors have no number 7: there are 3, counted from 0",
         ),
         (
             |d| d.root["accessors"][0]["componentType"] = json!(5124),
@@ -510,11 +510,11 @@ fn refusals_and_notes_name_the_element() {
         ),
         (
             |d| d.root["bufferViews"][0]["buffer"] = json!(3),
-            "buffer 3 does not exist: there are 1, counted from 0",
+            "its buffers have no number 3: there are 1, counted from 0",
         ),
         (
             |d| d.root["nodes"][0]["mesh"] = json!(2),
-            "mesh 2 does not exist",
+            "its meshes have no number 2",
         ),
     ];
     for (change, expected) in changes {
@@ -540,22 +540,273 @@ fn refusals_and_notes_name_the_element() {
     assert_eq!(triangles(&model), SQUARE);
     assert_eq!(
         notes(&model),
-        ["mesh 0: a part is left out: accessor 7 does not exist: there are 3, counted from 0"]
+        ["mesh 0: a part is left out: its accessors have no number 7: there are 3, counted from 0"]
     );
 }
 
-/// The file has 100 nodes that share a mesh of 131,072 vertices.
+/// The file has 99 nodes that share a mesh of 131,072 vertices.
 #[test]
 fn a_short_file_does_not_fill_the_memory() {
     let mut document = Document::square();
-    for accessor in document.root["accessors"].as_array_mut().unwrap() {
+    let mut accessors = document.root["accessors"].clone();
+    for accessor in accessors.as_array_mut().unwrap() {
         accessor.as_object_mut().unwrap().remove("bufferView");
         accessor["count"] = json!(1 << 17);
+        document.root["accessors"]
+            .as_array_mut()
+            .unwrap()
+            .push(accessor.clone());
     }
-    let nodes = vec![json!({"mesh": 0}); 100];
-    document.root["nodes"] = json!(nodes);
+    let mut large = document.root["meshes"][0].clone();
+    large["primitives"][0]["attributes"] = json!({"POSITION": 3});
+    large["primitives"][0]["indices"] = json!(5);
+    document.root["meshes"].as_array_mut().unwrap().push(large);
+    let nodes = (0..100).map(|at| json!({"mesh": at.min(1)}));
+    document.root["nodes"] = nodes.collect();
     document.root["scenes"][0]["nodes"] = json!((0..100).collect::<Vec<_>>());
     let model = document.read();
-    assert_eq!(model.positions.len(), 1 << 20);
+    // The square, and as many of the large meshes as fit.
+    assert_eq!(model.positions.len(), 4 + 7 * (1 << 17));
     assert!(notes(&model)[0].contains("at most 1048576 are read"));
+}
+
+/// A PNG of one pixel.
+fn png(color: [u8; 3]) -> Value {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let picture = image::RgbImage::from_pixel(1, 1, image::Rgb(color));
+    picture
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .unwrap();
+    json!({"uri": format!("data:image/png;base64,{}", STANDARD.encode(bytes.into_inner()))})
+}
+
+#[test]
+fn emission_is_drawn_only_with_its_texture() {
+    let mut document = Document::square();
+    document.root["images"] = json!([png([40, 50, 60]), png([0, 100, 200])]);
+    document.root["textures"] = json!([{"source": 0}, {"source": 1}]);
+    let shown = |document: &Document| {
+        let mut model = document.read();
+        let material = model.materials[0].clone();
+        let picture = model.texture(&material, &Disk).map(|it| it.pixels[0]);
+        (picture, material.emission, notes(&model))
+    };
+    document.root["materials"][0] = json!({
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 0, 1, 1]},
+        "emissiveTexture": {"index": 1}, "emissiveFactor": [1, 1, 1],
+    });
+    assert_eq!(
+        shown(&document),
+        (Some([40, 100, 255, 255]), [0; 3], vec![])
+    );
+    // Strength is a factor of light: the square root of sRGB's encoding would give 1.46 for 2.4.
+    let extensions = json!({"KHR_materials_emissive_strength": {"emissiveStrength": 0.214_041_14}});
+    document.root["materials"][0]["extensions"] = extensions;
+    assert_eq!(shown(&document).0, Some([40, 50, 160, 255]));
+    document.root["materials"][0]["extensions"] = Value::Null;
+    // A black factor leaves the texture as it is.
+    document.root["materials"][0]["emissiveFactor"] = json!([0, 0, 0]);
+    assert_eq!(shown(&document), (Some([40, 0, 60, 255]), [0; 3], vec![]));
+    document.root["materials"][0]["emissiveFactor"] = json!([1, 1, 1]);
+    // With other coordinates than the surface's, neither the texture nor the factor is drawn.
+    document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(1);
+    let elsewhere = "not drawn: emission with other texture coordinates than the surface";
+    assert_eq!(
+        shown(&document),
+        (Some([40, 0, 60, 255]), [0; 3], vec![elsewhere.into()])
+    );
+    // The same holds for another border.
+    document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(0);
+    document.root["samplers"] = json!([{"wrapS": 33071, "wrapT": 33071}, {"wrapS": 33071}]);
+    for (own, light, sum) in [(0, 1, [40, 0, 60, 255]), (1, 1, [40, 100, 255, 255])] {
+        document.root["textures"][0]["sampler"] = json!(own);
+        document.root["textures"][1]["sampler"] = json!(light);
+        assert_eq!(shown(&document).0, Some(sum));
+    }
+    document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(1);
+    // Without a texture of the surface, the coordinates are those of the light.
+    let uvs = document.floats("VEC2", &[0.25, 0.25, 0.5, 0.25, 0.5, 0.5, 0.25, 0.5]);
+    document.primitive()["attributes"]["TEXCOORD_1"] = json!(uvs);
+    document.root["materials"][0]["pbrMetallicRoughness"] =
+        json!({"baseColorFactor": [0, 0, 1, 1]});
+    assert_eq!(shown(&document).0, Some([0, 100, 255, 255]));
+    assert_eq!(self::uvs(&document.read())[0], [0.25, 0.25]);
+    assert_eq!(document.read().materials[0].clamp, [true, false]);
+    // Only a factor.
+    document.root["materials"][0]["emissiveTexture"] = Value::Null;
+    assert_eq!(shown(&document), (None, [255; 3], vec![]));
+}
+
+#[test]
+fn masks_that_hide_everything_are_opaque_and_others_are_cut() {
+    let material = |cutoff: f64, alpha: f64| {
+        let mut document = Document::square();
+        document.root["materials"][0] = json!({
+            "alphaMode": "MASK", "alphaCutoff": cutoff, "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, alpha]},
+        });
+        let model = document.read();
+        (
+            model.materials[0].opacity,
+            model.materials[0].alpha,
+            notes(&model),
+        )
+    };
+    let opaque = vec!["all faces have the opacity 0: they are drawn opaque".to_string()];
+    assert_eq!(material(0.5, 1.0), (1.0, Alpha::Cut(128), vec![]));
+    // The surface's alpha is at least the cutoff where the texture's is at least 0.8, or 204 of 255.
+    assert_eq!(material(0.4, 0.5), (1.0, Alpha::Cut(204), vec![]));
+    assert_eq!(material(1.5, 1.0), (1.0, Alpha::Cut(255), opaque.clone()));
+    assert_eq!(material(0.5, 0.25), (1.0, Alpha::Cut(255), opaque));
+    assert_eq!(material(0.0, 0.0), (1.0, Alpha::Cut(0), vec![]));
+}
+
+#[test]
+fn surfaces_without_light_have_no_emission() {
+    let mut document = Document::square();
+    document.root["materials"][0] = json!({
+        "emissiveFactor": [1, 1, 1], "extensions": {"KHR_materials_unlit": {}},
+    });
+    let material = document.read().materials[0].clone();
+    assert_eq!((material.unlit, material.emission), (true, [0; 3]));
+}
+
+#[test]
+fn opacity_of_vertex_colors_is_noted_where_it_counts() {
+    let mut document = Document::square();
+    let bytes: Vec<u8> = [[255, 0, 0, 255], [255, 0, 0, 128]].repeat(2).concat();
+    let colors = document.accessor("VEC4", 5121, 4, &bytes);
+    document.root["accessors"][colors]["normalized"] = json!(true);
+    document.primitive()["attributes"]["COLOR_0"] = json!(colors);
+    assert_eq!(notes(&document.read()), [""; 0]);
+    for mode in ["BLEND", "MASK"] {
+        document.root["materials"][0]["alphaMode"] = json!(mode);
+        assert_eq!(
+            notes(&document.read()),
+            ["not drawn: opacity of vertex colors"]
+        );
+    }
+    document.root["accessors"][colors]["type"] = json!("VEC3");
+    document.root["accessors"][colors]["count"] = json!(4);
+    assert_eq!(notes(&document.read()), [""; 0]);
+}
+
+#[test]
+fn nodes_are_drawn_without_a_scene() {
+    let mut document = Document::square();
+    document.root["scenes"] = Value::Null;
+    document.root["nodes"] = json!([
+        {"mesh": 0, "translation": [0, 0, 5]},
+        {"children": [0], "translation": [10, 0, 0]},
+    ]);
+    let moved = SQUARE.map(|it| it.map(|[x, y, z]| [x + 10.0, y, z + 5.0]));
+    assert_eq!(triangles(&document.read()), moved);
+}
+
+#[test]
+fn a_vertex_can_have_eight_joints() {
+    let mut document = Document::square();
+    document.root["nodes"] = json!([
+        {"mesh": 0, "skin": 0}, {"translation": [4, 0, 0]}, {"translation": [0, 8, 0]},
+    ]);
+    document.root["scenes"][0]["nodes"] = json!([0, 1, 2]);
+    document.root["skins"] = json!([{"joints": [1, 2]}]);
+    let set = |document: &mut Document, number: u8, weight: f32| {
+        let joints = document.accessor("VEC4", 5121, 4, &[number, 0, 0, 0].repeat(4));
+        let weights = document.floats("VEC4", &[weight, 0.0, 0.0, 0.0].repeat(4));
+        let attributes = &mut document.primitive()["attributes"];
+        attributes[format!("JOINTS_{number}")] = json!(joints);
+        attributes[format!("WEIGHTS_{number}")] = json!(weights);
+    };
+    set(&mut document, 0, 0.25);
+    let moved = |[dx, dy]: [f64; 2]| SQUARE.map(|it| it.map(|[x, y, z]| [x + dx, y + dy, z]));
+    assert_eq!(triangles(&document.read()), moved([4.0, 0.0]));
+    // A quarter of the first joint, and three quarters of the second, which the second set names.
+    set(&mut document, 1, 0.75);
+    assert_eq!(triangles(&document.read()), moved([1.0, 6.0]));
+}
+
+#[test]
+fn bytes_are_read_however_they_are_written() {
+    let document = Document::square();
+    let text = String::from_utf8(document.text()).unwrap();
+    let (start, rest) = text.split_once("base64,").unwrap();
+    let (data, end) = rest.split_once('"').unwrap();
+    let escaped = document.bytes.iter().map(|byte| format!("%{byte:02X}"));
+    let escaped = escaped.collect::<Vec<_>>().concat();
+    let bare = data.trim_end_matches('=');
+    let ways = [
+        format!("base64,{bare}"),
+        format!("base64,{bare}=="),
+        format!(
+            "base64,{}",
+            data.replace('=', "%3D")
+                .replace('/', "%2F")
+                .replace('+', "%2B")
+        ),
+        format!("base64,{}\\n {}", &data[..12], &data[12..]),
+        format!(",{escaped}"),
+    ];
+    for way in ways {
+        let start = if way.starts_with(',') {
+            start.trim_end_matches(';')
+        } else {
+            start
+        };
+        let text = format!("{start}{way}\"{end}");
+        let model = read(&[("a.gltf", text.as_str())]).unwrap();
+        assert_eq!(
+            (triangles(&model), notes(&model)),
+            (SQUARE.to_vec(), vec![]),
+            "{text}"
+        );
+    }
+    // Bytes after the length in the header are no part of the file, whatever they are.
+    for more in [&b"a"[..], b"\0\0\0\0", b"more than a header of a part"] {
+        let model = read(&[("a.glb", [&document.binary(), more].concat())]).unwrap();
+        assert_eq!(triangles(&model), SQUARE);
+    }
+}
+
+#[test]
+fn compression_is_the_reason_whether_required_or_not() {
+    let draco = "its meshes are compressed with Draco (KHR_draco_mesh_compression): save it without compression";
+    let meshopt = "its meshes are compressed with meshopt (EXT_meshopt_compression): save it without compression";
+    let mut document = Document::square();
+    document.root["extensionsUsed"] = json!(["KHR_draco_mesh_compression"]);
+    // The file also has the values without compression.
+    document.primitive()["extensions"] = json!({"KHR_draco_mesh_compression": {"bufferView": 0}});
+    assert_eq!(triangles(&document.read()), SQUARE);
+    let plain = document.primitive().clone();
+    document.root["accessors"][0]["bufferView"] = Value::Null;
+    assert_eq!(document.refused(), draco);
+    document.root["extensionsUsed"] = Value::Null;
+    assert!(document.refused().contains(draco));
+    // Beside a mesh without compression, a note tells the same.
+    let view = document.root["accessors"][0].clone();
+    let other = document.root["accessors"].as_array_mut().unwrap();
+    other.push(view);
+    let at = other.len() - 1;
+    document.root["accessors"][0]["bufferView"] = json!(0);
+    let mut compressed = plain;
+    compressed["attributes"]["POSITION"] = json!(at);
+    document.root["meshes"][0]["primitives"]
+        .as_array_mut()
+        .unwrap()
+        .push(compressed);
+    let model = document.read();
+    assert_eq!(triangles(&model), SQUARE);
+    assert_eq!(
+        notes(&model),
+        [format!("mesh 0: a part is left out: {draco}")]
+    );
+
+    let mut document = Document::square();
+    document.root["extensionsUsed"] = json!(["EXT_meshopt_compression"]);
+    let length = document.bytes.len();
+    for view in document.root["bufferViews"].as_array_mut().unwrap() {
+        view["extensions"] = json!({"EXT_meshopt_compression": {"buffer": 1}});
+    }
+    let mut root = document.root.clone();
+    root["buffers"] = json!([{"byteLength": length}]);
+    assert_eq!(read(&[("a.gltf", root.to_string())]).unwrap_err(), meshopt);
 }

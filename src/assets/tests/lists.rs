@@ -275,7 +275,7 @@ fn a_note_says_which_scale_keeps_positions_apart() {
     assert_eq!(merging(0.01, -1.0), Some(says(-8)));
     assert_eq!(merging(0.01, -8.0), None);
     // Far from the origin, only a centered model fits at the scale.
-    let far = obj("v 20000 0 0\nv 20000.000001 0 0\nv 20000.001 0 0\nf 1 2 3\n");
+    let far = obj("v 20000 0 0\nv 20000.000001 0 0\nv 20000 0.001 0\nf 1 2 3\n");
     for (scale, wanted) in [(1.0, "center, scale = 8 "), (-1.0, "center, scale = -8 ")] {
         let note = far.merging(scale).unwrap();
         assert!(note.contains(wanted), "{note}");
@@ -283,7 +283,7 @@ fn a_note_says_which_scale_keeps_positions_apart() {
     // Positions closer together than 1/65,536 of the size of the model count as one position.
     assert_eq!(merging(1.0, 1.0), None);
     // These positions are far out of the range of every scale near 1, and do not keep the search from its end.
-    let huge = obj("v 0 0 0\nv 1e30 0 0\nv 9e29 0 0\nf 1 2 3\n");
+    let huge = obj("v 0 0 0\nv 1e30 0 0\nv 9e29 1e29 0\nf 1 2 3\n");
     assert_eq!([1.0, -1.0].map(|scale| huge.merging(scale)), [None, None]);
 }
 

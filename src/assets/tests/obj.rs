@@ -76,7 +76,7 @@ fn every_line_end_and_a_byte_order_mark_are_read() {
         let model = clean(&text);
         assert_eq!(model.triangles.len(), 2, "{end:?}");
         let problem = obj(&text.replace("v 1 1 0", "v 1 1")).unwrap_err();
-        let wanted = "model a.obj: line 4: 'v 1 1' is not a position: it needs 3 numbers";
+        let wanted = "line 4: 'v 1 1' is not a position: it needs 3 numbers";
         assert_eq!(problem, wanted);
     }
 }
@@ -90,7 +90,8 @@ fn a_backslash_joins_lines() {
 
 #[test]
 fn numbers_have_comments_signs_and_weights() {
-    let text = "v +0 0 0 # first\nv 1 0 0 1\nv 0 1e0 0 1 1 #x\nvt 0 1 #\nvn 0 0 1 # up\nf +1 2 -1 # 4\nl 1 2 #3\n";
+    let text =
+        "v +0 0 0 # first\nv 1 0 0 1\nv 0 1e0 0 1 1 #x\nvt 0 1 #\nvn 0 0 1 # up\nf +1 2 -1 # 4\n";
     let model = clean(text);
     let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     assert_eq!(model.positions, positions);
@@ -101,7 +102,8 @@ fn numbers_have_comments_signs_and_weights() {
 
 #[test]
 fn lines_stay_edges() {
-    let model = clean(&format!("{SQUARE}f 1 2 3\nl 3 4/1 1\n"));
+    let model = clean(&format!("{SQUARE}f 1 2 3\nl 3 4/1 1 #5\n"));
+    assert!(model.has_lines && !clean(&format!("{SQUARE}f 1 2 3\n")).has_lines);
     let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3]];
     assert_eq!(model.edges, edges);
     let text = format!("{SQUARE}v nan 0 0\nf 1 2 3\nl 4 9\nl 4 5\nl 4 x\nl 4 0\n");
@@ -220,7 +222,11 @@ fn what_cannot_be_read_is_counted() {
 #[test]
 fn a_note_tells_how_to_keep_positions_apart() {
     let text = |from: f64| {
-        let corner = |at: u32| format!("v {} 0 0\n", from + f64::from(at) * 1e-6);
+        // The points are on a parabola, so that faces have an area.
+        let corner = |at: u32| {
+            let x = f64::from(at) * 1e-6;
+            format!("v {} {} 0\n", from + x, x * x)
+        };
         let corners: String = (0..300).map(corner).collect();
         let face = |at: u32| format!("f {} {} {}\n", at + 1, at + 2, at + 3);
         corners + &(0..298).map(face).collect::<String>()
@@ -301,7 +307,7 @@ fn smoothing_groups_are_read() {
 fn what_is_not_drawn_is_named_once() {
     let text =
         format!("{SQUARE}g a\no b\nf 1 2 3\nvp 1 2\np 1\np 2\ncurv 0 1 1 2\nlod 1\nfoo\nfoo\n");
-    let model = noted(&text, "not drawn: 'vp', 'p', 'curv', 'lod', 'foo'");
+    let model = noted(&text, "not drawn: 'vp', points, 'curv', 'lod', 'foo'");
     assert_eq!(model.triangles.len(), 1);
     // A file of garbage causes only a note of limited length.
     let words: Vec<String> = (0..100_000).map(|at| format!("w{at} x\n")).collect();
@@ -315,10 +321,7 @@ fn what_is_no_model_is_refused() {
     let binary = b"v \0\x01\x02\nf\n".repeat(9);
     for bytes in [b"L\x01\0\0\x10".to_vec(), binary] {
         let problem = read(&[("a.obj", bytes)]).unwrap_err();
-        assert_eq!(
-            problem,
-            "model a.obj: it is not text: an OBJ file must be text"
-        );
+        assert_eq!(problem, "it is not text: an OBJ file must be text");
     }
     let face = format!("{SQUARE}f{}", " 1".repeat(1_000_001));
     let problem = obj(&face).unwrap_err();
@@ -575,4 +578,227 @@ fn texture_coordinates_are_scaled_and_moved() {
     let far = with_mtl("newmtl a\nmap_Kd -o 5000 0 a.png\n");
     assert_eq!(uvs(&far), square);
     assert!(notes(&far)[0].contains("beyond 1024"));
+}
+
+/// Two squares with materials `a` and `b`, and the materials' opacities after reading.
+fn opacities(mtl: &str) -> (Vec<f64>, Vec<String>) {
+    let text = format!("mtllib m.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\nusemtl b\nf 4 3 2 1\n");
+    let model = read(&[("a.obj", text.as_str()), ("m.mtl", mtl)]).unwrap();
+    let opacities = model.materials.iter().map(|it| it.opacity).collect();
+    (opacities, notes(&model))
+}
+
+#[test]
+fn no_model_is_invisible() {
+    let opaque = "all faces have the opacity 0: they are drawn opaque";
+    let meant = "Tr 1 without d is read as opaque";
+    let hidden = "a material has the opacity 0: its faces are invisible";
+    let cases: [(&str, &[f64], &[&str]); 8] = [
+        ("newmtl a\nTr 1\nnewmtl b\nTr 1.0\n", &[1.0; 2], &[meant]),
+        (
+            "newmtl a\nTr 1\nnewmtl b\nTr 0.25\n",
+            &[1.0, 0.75],
+            &[meant],
+        ),
+        ("newmtl a\nTr 1\nd 1\nnewmtl b\n", &[1.0; 2], &[]),
+        ("newmtl a\nd 1\nTr 1\nnewmtl b\n", &[1.0; 2], &[]),
+        ("newmtl a\nTr 1\nd 0.5\nnewmtl b\n", &[0.5, 1.0], &[]),
+        ("newmtl a\nd 0\nnewmtl b\nd 0\n", &[1.0; 2], &[opaque]),
+        ("newmtl a\nd 0\nnewmtl b\n", &[0.0, 1.0], &[hidden]),
+        // No face has the third material.
+        (
+            "newmtl a\nd 0\nnewmtl b\nd 0\nnewmtl c\n",
+            &[1.0; 3],
+            &[opaque],
+        ),
+    ];
+    for (mtl, wanted, says) in cases {
+        assert_eq!(
+            opacities(mtl),
+            (
+                wanted.to_vec(),
+                says.iter().map(ToString::to_string).collect()
+            ),
+            "{mtl}"
+        );
+    }
+}
+
+/// Opaque texels of a picture of one row, as a PNG.
+fn png(colors: &[[u8; 3]]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let width = u32::try_from(colors.len()).unwrap();
+    let picture = image::RgbImage::from_raw(width, 1, colors.concat()).unwrap();
+    let mut to = std::io::Cursor::new(&mut bytes);
+    picture.write_to(&mut to, image::ImageFormat::Png).unwrap();
+    bytes
+}
+
+#[test]
+fn textures_of_light_are_added_to_the_surface() {
+    let obj = format!("mtllib m.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\n");
+    let shown = |mtl: &str| {
+        let surface = png(&[[10, 20, 30], [40, 50, 250]]);
+        let light = png(&[[100, 0, 0]]);
+        let files = [
+            ("a.obj", obj.as_bytes()),
+            ("m.mtl", mtl.as_bytes()),
+            ("s.png", &surface),
+            ("l.png", &light),
+        ];
+        let memory = common::memory(&files);
+        let mut model = fixel_assets::read(std::path::Path::new("a.obj"), &memory).unwrap();
+        let material = model.materials[0].clone();
+        let picture = model
+            .texture(&material, &memory)
+            .map(|picture| picture.pixels);
+        (picture, material.emission, notes(&model))
+    };
+    let both = vec![[110, 20, 30, 255], [140, 50, 250, 255]];
+    let textures = "newmtl a\nKd 1 1 1\nmap_Kd s.png\nmap_Ke l.png\n";
+    for factor in ["", "Ke 1 1 1\n", "Ke 0 0 0\n"] {
+        let found = shown(&format!("{textures}{factor}"));
+        assert_eq!(found, (Some(both.clone()), [0; 3], vec![]), "{factor}");
+    }
+    // The last texture of light counts, however many there are.
+    let many = "map_Ke s.png\n".repeat(100_000);
+    let found = shown(&format!("newmtl a\nmap_Kd s.png\n{many}map_Ke l.png\n"));
+    assert_eq!(found, (Some(both.clone()), [0; 3], vec![]));
+    // Half of the light: 50.2, rounded.
+    let half = shown(&format!("Ke 9 9 9\n{textures}Ke 0.5 0 0\n"))
+        .0
+        .unwrap();
+    assert_eq!(half[0], [60, 20, 30, 255]);
+    // A surface of one color: 0.2 of 255 is 51.
+    let plain = "newmtl a\nKd 0.2 0.2 0.2\nmap_Ke l.png\n";
+    assert_eq!(shown(plain).0.unwrap(), [[151, 51, 51, 255]]);
+    // The light lies otherwise on the faces than the surface does. Then it is not drawn, nor is its factor.
+    for options in ["-s 2 2 2", "-o 0.5", "-clamp on"] {
+        let apart = format!("newmtl a\nmap_Kd s.png\nKe 1 1 1\nmap_Ke {options} l.png\n");
+        let (picture, emission, notes) = shown(&apart);
+        assert_eq!((picture.unwrap()[0], emission), ([10, 20, 30, 255], [0; 3]));
+        assert_eq!(
+            notes,
+            ["not drawn: emission with other texture coordinates than the surface"]
+        );
+        let alike = apart.replace("map_Kd", &format!("map_Kd {options}"));
+        assert_eq!(shown(&alike), (Some(both.clone()), [0; 3], vec![]));
+    }
+    // A missing picture of light leaves the surface, and a missing picture of the surface leaves its color.
+    let (picture, _, notes) = shown("newmtl a\nmap_Kd s.png\nmap_Ke none.png\n");
+    assert_eq!(picture.unwrap()[0], [10, 20, 30, 255]);
+    assert!(
+        notes[0].starts_with("cannot read texture none.png: "),
+        "{notes:?}"
+    );
+    assert!(notes[0].ends_with(": its faces do not glow"), "{notes:?}");
+    let (picture, _, notes) = shown("newmtl a\nmap_Kd none.png\nmap_Ke l.png\n");
+    assert!(
+        picture.is_none() && notes[0].ends_with(": its faces have one color"),
+        "{notes:?}"
+    );
+}
+
+/// A picture of the width of one and the height of the other could fill the memory.
+#[test]
+fn light_and_surface_get_the_size_of_the_one_with_more_texels() {
+    let obj = format!("mtllib m.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\n");
+    let (short, long) = (png(&[[9; 3]; 2]), png(&[[5; 3]; 3]));
+    let mut column = std::io::Cursor::new(Vec::new());
+    let picture = image::RgbImage::from_pixel(1, 4, image::Rgb([7; 3]));
+    picture
+        .write_to(&mut column, image::ImageFormat::Png)
+        .unwrap();
+    let mtl = b"newmtl a\nmap_Kd s.png\nmap_Ke l.png\n".as_slice();
+    let column = column.into_inner();
+    for (surface, light, size, sum) in [
+        (&short, &column, (1, 4), 16),
+        (&column, &short, (1, 4), 16),
+        (&short, &long, (3, 1), 14),
+    ] {
+        let files = [
+            ("a.obj", obj.as_bytes()),
+            ("m.mtl", mtl),
+            ("s.png", surface),
+            ("l.png", light),
+        ];
+        let memory = common::memory(&files);
+        let mut model = fixel_assets::read(std::path::Path::new("a.obj"), &memory).unwrap();
+        let material = model.materials[0].clone();
+        let picture = model.texture(&material, &memory).unwrap();
+        assert_eq!((picture.width, picture.height), size);
+        assert!(picture.pixels.iter().all(|it| *it == [sum, sum, sum, 255]));
+    }
+}
+
+#[test]
+fn a_texture_of_ambient_light_serves_if_there_is_no_other() {
+    let file = |mtl: &str| {
+        let model = with_mtl(mtl);
+        assert!(model.notes.is_empty(), "{mtl}: {:?}", notes(&model));
+        let texture = model.materials[0].texture.unwrap() as usize;
+        model.images[texture]
+            .file()
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .to_string()
+    };
+    assert_eq!(file("newmtl a\nmap_Ka -clamp on a.png\n"), "a.png");
+    assert_eq!(file("newmtl a\nmap_Ka a.png\nmap_Kd d.png\n"), "d.png");
+    assert_eq!(file("newmtl a\nmap_Kd d.png\nmap_Ka a.png\n"), "d.png");
+    assert_eq!(file("newmtl a\nmap_Ka a.png\nmap_Ka b.png\n"), "b.png");
+}
+
+#[test]
+fn a_material_can_lack_a_name() {
+    let colors = |text: &str| {
+        let text = format!("mtllib m.mtl\n{SQUARE}{text}f 1 2 3 4\n");
+        let model = read(&[("a.obj", text.as_str()), ("m.mtl", "newmtl\nKd 1 0 0\n")]).unwrap();
+        assert!(model.notes.is_empty(), "{:?}", notes(&model));
+        let material = model.triangles[0].material;
+        material.map(|at| model.materials[at as usize].color)
+    };
+    assert_eq!(colors("usemtl\n"), Some([255, 0, 0]));
+    assert_eq!(colors("usemtl  \n"), Some([255, 0, 0]));
+    assert_eq!(colors(""), None);
+    // Without such a material, faces have none.
+    let model = clean(&format!("{SQUARE}usemtl\nf 1 2 3 4\n"));
+    assert_eq!(model.triangles[0].material, None);
+}
+
+#[test]
+fn textures_are_beside_the_file_that_names_them() {
+    let obj = format!("mtllib materials/m.mtl\n{SQUARE}usemtl a\nf 1 2 3 4\n");
+    let found = |name: &str, present: &[&str]| {
+        let mtl = format!("newmtl a\nmap_Kd {name}\n");
+        let mut files = vec![("x/a.obj", obj.as_str()), ("x/materials/m.mtl", &mtl)];
+        files.extend(present.iter().map(|name| (*name, "")));
+        let model = read(&files).unwrap();
+        model.images[0]
+            .file()
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .to_string()
+    };
+    let (inner, outer) = ("x/materials/t/q.png", "x/t/q.png");
+    for name in ["t/q.png", "t\\q.png"] {
+        assert_eq!(found(name, &[inner, outer]), inner);
+        assert_eq!(found(name, &[outer]), outer);
+        // From another computer.
+        assert_eq!(
+            found(
+                &format!("C:\\work\\{name}"),
+                &["x/q.png", "x/materials/q.png"]
+            ),
+            "x/materials/q.png"
+        );
+        assert_eq!(found(name, &["x/q.png"]), "x/q.png");
+    }
+    // The exact name in a later place counts more than another case in an earlier one.
+    assert_eq!(found("t/Q.PNG", &[outer, "x/Q.PNG"]), "x/Q.PNG");
+    assert_eq!(found("t/Q.PNG", &[outer]), outer);
+    assert_eq!(found("T/q.png", &[inner, outer]), inner);
+    assert_eq!(found("t/q.png", &[]), "x/q.png");
 }

@@ -913,3 +913,103 @@ fn a_palette_has_at_most_256_colors() {
     picture.pixels.fill([1, 2, 3, 4]);
     assert_eq!(picture.palette(), Some((vec![0; 15], vec![[1, 2, 3, 4]])));
 }
+
+/// A JPEG of 16x8 pixels, the left half dark and the right half bright, with this orientation.
+fn with_orientation(exif: &[u8]) -> Picture {
+    let shade = |x, y| image::Luma([if x < 8 { 40 } else { 200 } + if y < 4 { 0 } else { 20 }]);
+    let mut bytes = Cursor::new(Vec::new());
+    let picture = image::GrayImage::from_fn(16, 8, shade);
+    picture.write_to(&mut bytes, ImageFormat::Jpeg).unwrap();
+    let bytes = bytes.into_inner();
+    let length = u16::try_from(exif.len() + 8).unwrap().to_be_bytes();
+    let segment = [b"\xff\xe1", &length[..], b"Exif\0\0", exif].concat();
+    decode(&[&bytes[..2], &segment, &bytes[2..]].concat())
+}
+
+#[test]
+fn exif_orientation_turns_jpegs() {
+    // The corner that shows the file's first pixel: from the left or the right, and from the top or the bottom.
+    let corners = [
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+    ];
+    for (value, [right, bottom]) in (1..=8_u8).zip(corners) {
+        let little = [
+            b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0",
+            &[value, 0, 0, 0][..],
+        ]
+        .concat();
+        let big = [
+            b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01",
+            &[0, value, 0, 0][..],
+        ]
+        .concat();
+        for exif in [little, big] {
+            let picture = with_orientation(&exif);
+            let (width, height) = if value > 4 { (8, 16) } else { (16, 8) };
+            assert_eq!((picture.width, picture.height), (width, height), "{value}");
+            let at = |x: u32, y: u32| picture.pixels[(y * width + x) as usize][0];
+            let (x, y) = (right * (width - 1), bottom * (height - 1));
+            // The darkest quarter is at the first pixel, the brightest across. The coder moves grays by a few steps.
+            assert!(at(x, y).abs_diff(40) < 12, "{value}: {}", at(x, y));
+            let across = at(width - 1 - x, height - 1 - y);
+            assert!(across.abs_diff(220) < 12, "{value}: {across}");
+        }
+    }
+    for exif in [
+        &b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x09\0\0\0"[..],
+        b"II*\0\x08",
+        b"",
+    ] {
+        assert_eq!(with_orientation(exif).width, 16);
+    }
+}
+
+/// Sets the sampling factors of a file's components, and how many components its first scan has.
+fn resampled(file: &[u8], factors: [u8; 3], scan: u8) -> Vec<u8> {
+    let mut file = file.to_vec();
+    let place = |file: &[u8], marker: u8| {
+        let mut pairs = file.windows(2);
+        pairs.position(|pair| pair == [0xff, marker]).unwrap()
+    };
+    // The frame follows the only table of quantization.
+    let start = place(&file, 0xdb) + 69;
+    for (at, factor) in factors.into_iter().enumerate() {
+        file[start + 11 + 3 * at] = factor;
+    }
+    let start = place(&file, 0xda);
+    file[start + 4] = scan;
+    file
+}
+
+/// The decoder reads these files to their end, and returns other colors than those in them.
+#[test]
+fn jpegs_with_planes_in_unusual_orders_are_refused() {
+    let refused = "its colors are stored in an unusual order: save it again";
+    let problem = |factors, scan, is_progressive| {
+        let file = jpeg(&[150, 128, 128], is_progressive);
+        Picture::decode(&resampled(&file, factors, scan)).err()
+    };
+    let (half, same) = ([0x22, 0x11, 0x11], [0x11; 3]);
+    assert_eq!(problem(half, 1, false).as_deref(), Some(refused));
+    assert_eq!(problem(half, 2, false).as_deref(), Some(refused));
+    assert_eq!(
+        problem([0x11, 0x21, 0x21], 3, false).as_deref(),
+        Some(refused)
+    );
+    // A progressive file always has such scans, and planes of one size lie in any order.
+    for (factors, scan, is_progressive) in [(same, 3, false), (same, 1, false), (half, 1, true)] {
+        let problem = problem(factors, scan, is_progressive);
+        assert_ne!(problem.as_deref(), Some(refused), "{factors:?} {scan}");
+    }
+    // Bytes of 0xff before a marker do not hide it.
+    let mut file = resampled(&jpeg(&[150, 128, 128], false), half, 1);
+    file.splice(2..2, [0xff, 0xff]);
+    assert_eq!(Picture::decode(&file).unwrap_err(), refused);
+}

@@ -204,8 +204,8 @@ fn refusals_say_what_the_file_is() {
         "element edge 1\nproperty int vertex1\nend_header\n0 0 0\n0",
     );
     for (file, expected) in [
-        (cloud.clone(), "it is a cloud of points"),
-        (edges, "it has edges, but no faces"),
+        (cloud.clone(), "it has points or lines"),
+        (edges, "it has points or lines"),
         (
             cloud.replace("ascii", "utf8"),
             "line 2: there is no format 'utf8'",

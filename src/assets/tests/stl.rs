@@ -117,7 +117,7 @@ fn mistakes_in_text_are_named() {
         ),
         (
             "solid facet vertex 1 2".into(),
-            "there is nothing to draw: a face of fewer than 3 corners",
+            "there is nothing to draw; a face of fewer than 3 corners",
         ),
         ("solid endsolid\n".into(), "it has no faces"),
     ];
@@ -168,7 +168,7 @@ fn binary_is_read_whatever_it_promises() {
     for end in [85, 133] {
         let problem = read(&[("a.stl", &bytes[..end])]).unwrap_err();
         assert!(
-            problem.contains("nothing to draw: its header promises 4 triangles: 0 are read"),
+            problem.contains("nothing to draw; its header promises 4 triangles: 0 are read"),
             "{problem}"
         );
     }
@@ -217,4 +217,53 @@ fn attributes_are_colors() {
         found,
         ([Some(red), Some(green), Some(blue), Some([1, 2, 3])], 4)
     );
+}
+
+#[test]
+fn an_object_color_serves_triangles_without_any() {
+    let colors = |attributes| {
+        let model = read(&[("a.stl", binary(b"COLOR=\xff\x80\x00\xff", 4, attributes))]).unwrap();
+        let corners = model
+            .triangles
+            .iter()
+            .map(|it| it.corners[0].color.unwrap());
+        corners
+            .map(|at| model.colors[at as usize])
+            .collect::<Vec<_>>()
+    };
+    let own = [255, 128, 0];
+    assert_eq!(colors([0; 4]), [own; 4]);
+    // Beside a triangle with a color of its own, 0 is black.
+    assert_eq!(
+        colors([31, 0, 0x8000, 0]),
+        [[255, 0, 0], [0; 3], own, [0; 3]]
+    );
+}
+
+#[test]
+fn facets_can_have_any_number_of_corners() {
+    let facet = |corners: &[&str]| {
+        let lines = corners.iter().map(|corner| format!("vertex {corner}\n"));
+        let lines = lines.collect::<Vec<_>>().concat();
+        format!("facet normal 0 0 1\nouter loop\n{lines}endloop\nendfacet\n")
+    };
+    let square = ["0 0 0", "1 0 0", "1 1 0", "0 1 0"];
+    let read_text =
+        |facets: String| read(&[("a.stl", format!("solid\n{facets}endsolid\n"))]).unwrap();
+    let model = read_text(facet(&square));
+    let corners = model
+        .triangles
+        .iter()
+        .map(|it| it.corners.map(|corner| corner.position));
+    assert!(corners.eq([[0, 1, 2], [0, 2, 3]]));
+    assert!(model.notes.is_empty(), "{:?}", notes(&model));
+    let model = read_text(facet(&square[..3]) + &facet(&square[..2]) + &facet(&square));
+    assert_eq!(model.triangles.len(), 3);
+    assert_eq!(
+        notes(&model),
+        ["a face of fewer than 3 corners is left out"]
+    );
+    // A loop without its end, as some programs write it, ends with the facet.
+    let model = read_text(facet(&square).replace("endloop\n", "") + &facet(&square[1..]));
+    assert_eq!(model.triangles.len(), 3);
 }

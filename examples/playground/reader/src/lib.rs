@@ -21,7 +21,7 @@ mod model;
 mod texture;
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fixel_assets::{Files, Format};
@@ -106,7 +106,7 @@ pub extern "C" fn part_size(number: usize) -> usize {
 struct Dropped<'a>(Vec<(String, &'a [u8])>);
 
 impl Dropped<'_> {
-    fn find(&self, path: &Path) -> Option<&(String, &[u8])> {
+    fn named(&self, path: &Path) -> Option<&(String, &[u8])> {
         let name = path.file_name()?.to_str()?;
         // On some systems a file has the same name in other letters.
         let is_it = |(other, _): &&(String, _)| other.eq_ignore_ascii_case(name);
@@ -123,13 +123,13 @@ impl Dropped<'_> {
 impl Files for Dropped<'_> {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let missing = || io::Error::other("drop it together with the model");
-        self.find(path)
+        self.named(path)
             .map(|(_, contents)| contents.to_vec())
             .ok_or_else(missing)
     }
 
-    fn has(&self, path: &Path) -> bool {
-        self.find(path).is_some()
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        self.named(path).map(|_| path.into())
     }
 }
 
@@ -144,8 +144,8 @@ fn quoted(name: &str) -> String {
 fn answer(files: &Dropped) -> Result<Answer, String> {
     let mut notes = Vec::new();
     let (name, mesh, texture) = if let Some(name) = files.model() {
-        let (mesh, model) = model::read(name, files, &mut notes)?;
-        let texture = texture::of_model(name, &model, files, &mut notes);
+        let (mesh, mut model) = model::read(name, files, &mut notes)?;
+        let texture = texture::of_model(name, &mut model, files, &mut notes);
         (name.into(), mesh, texture)
     } else {
         let texture = texture::dropped(files.0.iter())?;

@@ -22,7 +22,8 @@ pub fn read(
     notes: &mut Vec<String>,
 ) -> Result<(Vec<u8>, Model), String> {
     let path = Path::new(name);
-    let mut model = fixel_assets::read(path, files)?;
+    let of_model = |problem: String| format!("model {name}: {problem}");
+    let mut model = fixel_assets::read(path, files).map_err(of_model)?;
     notes.extend(model.notes.iter());
     let has_normals = model.triangles.iter().all(|triangle| {
         triangle
@@ -42,10 +43,9 @@ pub fn read(
         z_up: Format::of(path) == Some(Format::Stl),
         ..Options::default()
     };
-    let too_large = |problem: String| format!("model {name}: {problem}");
-    let lists = model.lists(&options).map_err(too_large)?;
+    let lists = model.lists(&options).map_err(of_model)?;
     if lists.faces.len() > FACES {
-        return Err(too_large(format!(
+        return Err(of_model(format!(
             "it has {} triangles: the page draws at most {FACES}",
             lists.faces.len()
         )));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use fixel_assets::{Files, Image, Model, Picture};
+use fixel_assets::{Image, Model, Picture};
 
 use crate::{Dropped, quoted};
 
@@ -72,7 +72,7 @@ pub fn dropped<'a>(files: impl Iterator<Item = &'a (String, &'a [u8])>) -> Resul
 /// The first picture of the model's faces that can be read. Without one, a picture that was dropped with the model.
 pub fn of_model(
     name: &str,
-    model: &Model,
+    model: &mut Model,
     files: &Dropped,
     notes: &mut Vec<String>,
 ) -> Option<Texture> {
@@ -100,29 +100,18 @@ pub fn of_model(
 }
 
 /// A picture that a model names or contains.
-fn of_image(name: &str, model: &Model, at: u32, files: &Dropped) -> Result<Texture, String> {
-    let (name, bytes, call) = match model.images.get(at as usize) {
+fn of_image(name: &str, model: &mut Model, at: u32, files: &Dropped) -> Result<Texture, String> {
+    let inside = format!("{}, image = {at}", quoted(name));
+    let (title, call) = match model.images.get(at as usize) {
+        // The file is dropped without its folder, and found by its name.
         Some(Image::File(path)) => {
-            // The file is dropped without its folder, and found by its name.
-            let found = files.find(path);
-            let name = found.map_or_else(|| path.display().to_string(), |(name, _)| name.clone());
-            let bytes = files.read(path);
-            let call = quoted(&name);
-            (name, bytes.map_err(|problem| problem.to_string()), call)
+            let name = files.named(path).map(|(name, _)| name.clone());
+            let name = name.unwrap_or_else(|| path.display().to_string());
+            (name.clone(), quoted(&name))
         }
-        Some(Image::Bytes(image, bytes)) => {
-            let call = format!("{}, image = {at}", quoted(name));
-            let name = format!("image {at} {image}");
-            (name.trim_end().into(), Ok(bytes.clone()), call)
-        }
-        None => (
-            name.into(),
-            Err(format!("there is no image {at}")),
-            String::new(),
-        ),
+        Some(Image::Bytes(image, _)) => (format!("image {at} {image}"), inside),
+        _ => (format!("image {at}"), inside),
     };
-    match bytes.and_then(|bytes| Picture::decode(&bytes)) {
-        Ok(picture) => Ok(Texture::new(&name, picture, call)),
-        Err(problem) => Err(format!("picture {name} cannot be read: {problem}")),
-    }
+    let picture = model.picture(at, files)?;
+    Ok(Texture::new(title.trim_end(), picture, call))
 }

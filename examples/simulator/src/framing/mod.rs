@@ -60,22 +60,15 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// # Errors
-    ///
-    /// All points are in one place.
-    pub fn of(points: &[Point]) -> Result<Self> {
+    /// The points must not all be in one place.
+    pub fn of(points: &[Point]) -> Self {
         let sides = [0, 1, 2].map(|axis| range(points.iter().map(|p| p[axis])));
         let radius = sides
             .iter()
             .map(|[low, high]| high / 2.0 - low / 2.0)
             .fold(0.0, f64::max);
         let middle = sides.map(|[low, high]| f64::midpoint(low, high));
-        if radius > 0.0 {
-            Ok(Self { middle, radius })
-        } else {
-            let place = written(middle);
-            Err(format!("nothing is visible: all points of the model are at {place}").into())
-        }
+        Self { middle, radius }
     }
 
     /// Rounds a chosen coordinate to a hundred-thousandth of the model, so that the coordinate is easy to read and

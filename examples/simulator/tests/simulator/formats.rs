@@ -138,11 +138,7 @@ fn mistakes_in_models_are_reported_in_one_line() {
             huge("f 1 2 3 "),
             "line 4: a face has more than 1000000",
         ),
-        (
-            "c.obj",
-            huge("9"),
-            "there is nothing to draw: not drawn: '9999",
-        ),
+        ("c.obj", huge("9"), "only faces are drawn; not drawn: '9999"),
         (
             "d.stl",
             "solid\r\nfacet\r\nvertex 1 Zero 0\r\n".into(),

@@ -181,8 +181,11 @@ fn points_in_a_line_are_seen_from_nearby() {
             let [x, y, z] = step.map(|x| x * f64::from(k));
             writeln!(text, "v {x} {y} {z}").unwrap();
         }
+        // A face without any area is refused.
+        let [x, y, z] = step;
+        writeln!(text, "v {} {y} {z}", x + 1e-5).unwrap();
         let file = format!("{name}.obj");
-        bench.write(&file, text + "f 1 2 3\n");
+        bench.write(&file, text + "f 1 4 3\n");
         let said = bench.run(format!("{file} --shade wire"));
         let said = String::from_utf8(said.stdout).unwrap();
         // A line that points away from the eye appears as a point.
@@ -492,12 +495,10 @@ fn a_model_that_lies_on_its_side_gets_a_hint() {
 fn a_camera_that_shows_nothing_is_an_error() {
     let bench = Bench::new("nothing");
     write_box(&bench, "box.obj", |p| p);
-    bench.write("point.obj", "v 1 2 3\nv 1 2 3\nf 1 2 1\n");
     bench.write("sliver.obj", "v 0 0 0\nv 1 0 0\nv 1 1e-5 0\nf 1 2 3\n");
     let outside = "the model is outside the picture";
     let aside = "box.obj --eye 0,0,9 --look-at 9,0,8 --fov 20";
     for (arguments, says) in [
-        ("point.obj", "all points of the model are at 1,2,3"),
         ("sliver.obj", "cover no pixel: try --shade wire"),
         (
             "box.obj --eye 0,0,9 --look-at 0,0,20",

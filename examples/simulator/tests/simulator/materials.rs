@@ -178,3 +178,122 @@ fn one_sided_materials_hide_backs_but_not_the_whole_model() {
         &["--cull hides their backs"],
     );
 }
+
+#[test]
+fn no_model_is_invisible() {
+    let bench = Bench::new("opaque");
+    for opacity in ["Tr 1", "d 0"] {
+        let mtl = format!("newmtl front\nKd 1 0 0\n{opacity}\nnewmtl back\nKd 1 0 0\n{opacity}\n");
+        let picture = draw(&bench, &mtl, "");
+        assert_eq!(picture.get_pixel(9, 9).0, [255, 0, 0], "{opacity}");
+        let notes = bench.notes(format!("s.obj {VIEW}"));
+        assert_eq!(notes.matches("opaque").count(), 1, "{notes}");
+    }
+    // One invisible material of several stays invisible.
+    let picture = draw(&bench, "newmtl front\nd 0\nnewmtl back\nKd 0 1 0\n", "");
+    assert_eq!(picture.get_pixel(9, 9).0, [0, 255, 0]);
+}
+
+#[test]
+fn light_of_a_texture_is_drawn_with_the_surface() {
+    let bench = Bench::new("glow");
+    let texels = |name: &str, left: [u8; 3], right: [u8; 3]| {
+        let texel = |x, _| Rgb(if x < 2 { left } else { right });
+        image::RgbImage::from_fn(4, 4, texel)
+            .save(bench.path(name))
+            .unwrap();
+    };
+    texels("skin.png", [0, 90, 0], [0, 90, 0]);
+    texels("lamp.png", [0, 0, 0], [200, 0, 0]);
+    let mtl = "newmtl front\nmap_Kd skin.png\nmap_Ke lamp.png\nKe 1 1 1\nnewmtl back\n";
+    let picture = draw(&bench, mtl, "");
+    // The texture repeats twice along the square's 32 pixels.
+    for (x, wanted) in [(4, [0, 90, 0]), (12, [200, 90, 0]), (20, [0, 90, 0])] {
+        assert_eq!(picture.get_pixel(x, 9).0, wanted, "{x}");
+    }
+    // Without the texture, the surface does not shine.
+    let picture = draw(
+        &bench,
+        "newmtl front\nKd 0 0 1\nmap_Ke none.png\nKe 1 1 1\nnewmtl back\n",
+        "",
+    );
+    assert_eq!(picture.get_pixel(9, 9).0, [0, 0, 255]);
+}
+
+/// A glTF square of one color, which is drawn without light.
+fn unlit(bench: &Bench) {
+    let positions = [[-1_f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let bytes = positions.iter().flat_map(|[x, y]| [*x, *y, 0.0]);
+    let escaped = bytes
+        .flat_map(f32::to_le_bytes)
+        .map(|byte| format!("%{byte:02x}"));
+    let bytes = escaped.collect::<Vec<_>>().concat();
+    let file = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "mode": 6, "material": 0}}]}}],
+        "materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [1, 0.5, 0, 1]}}, "extensions": {{"KHR_materials_unlit": {{}}}}}}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 48}}],
+        "buffers": [{{"byteLength": 48, "uri": "data:,{bytes}"}}]}}"#
+    );
+    bench.write("s.gltf", file);
+}
+
+#[test]
+fn surfaces_without_light_keep_their_color() {
+    let bench = Bench::new("unlit");
+    unlit(&bench);
+    let dark = "s.gltf --eye 0,0,5 --look-at 0,0,0 --size 32x32 --color rgb888";
+    for look in ["", "--shade gouraud", "--shade flat", "--shade texture"] {
+        let light = if look.contains("texture") {
+            ""
+        } else {
+            "--ambient 0 --light 0,0,-1"
+        };
+        let picture = bench.draw(format!("{dark} {light} {look}"));
+        // Half of the light is 188 in sRGB.
+        assert_eq!(picture.get_pixel(16, 16).0, [255, 188, 0], "{look}");
+    }
+}
+
+#[test]
+fn alpha_of_the_given_texture_cuts_holes() {
+    let bench = Bench::new("given");
+    let texel = |x, _| Rgba([0, 255, 0, if x < 2 { 100 } else { 200 }]);
+    RgbaImage::from_fn(4, 4, texel)
+        .save(bench.path("leaf.png"))
+        .unwrap();
+    let picture = draw(&bench, "newmtl front\nnewmtl back\n", "--texture leaf.png");
+    for x in 0..32 {
+        // In the holes of the front square, its twin behind has holes, too.
+        let color = if x % 16 < 8 { [0, 0, 255] } else { [0, 255, 0] };
+        assert_eq!(picture.get_pixel(x, 9).0, color, "{x}");
+    }
+    RgbaImage::from_pixel(4, 4, Rgba([0, 255, 0, 0]))
+        .save(bench.path("clear.png"))
+        .unwrap();
+    let picture = draw(&bench, "newmtl front\nnewmtl back\n", "--texture clear.png");
+    assert_eq!(picture.get_pixel(9, 9).0, [0, 255, 0]);
+    let notes = bench.notes(format!("s.obj {VIEW} --texture clear.png"));
+    assert!(
+        notes.contains("note: a texture without a visible texel is drawn opaque"),
+        "{notes}"
+    );
+}
+
+#[test]
+fn lines_beside_faces_are_noted_unless_they_are_drawn() {
+    let bench = Bench::new("lines");
+    bench.write(
+        "l.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nl 2 4\n",
+    );
+    let note = "note: not drawn: lines: see --wire\n";
+    assert!(bench.notes("l.obj").contains(note));
+    for look in ["--wire", "--shade wire"] {
+        assert!(
+            !bench.notes(format!("l.obj {look}")).contains("not drawn"),
+            "{look}"
+        );
+    }
+}

@@ -12,9 +12,9 @@ fn models_that_cannot_be_read_are_refused() {
         bench.write("bad.obj", model);
         bench.refused("bad.obj", &["model bad.obj: "]);
     }
-    bench.refused("none.obj", &["cannot read model none.obj"]);
+    bench.refused("none.obj", &["model none.obj: it cannot be read: "]);
     fs::create_dir(bench.path("folder.obj")).unwrap();
-    bench.refused("folder.obj", &["cannot read model folder.obj"]);
+    bench.refused("folder.obj", &["model folder.obj: it cannot be read: "]);
 
     bench.write("t.obj", TRIANGLE);
     bench.write("text.png", "no picture");
@@ -89,4 +89,68 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     // The view shows 2 · 400 · tan 20° = 291.2 of the plate's 299 units, so the plate covers every pixel exactly once.
     assert_eq!(printed(&said, "pixels"), "10000");
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
+}
+
+#[test]
+fn messages_name_what_a_file_is_and_name_it_once() {
+    let bench = Bench::new("named");
+    bench.write("a.glb", "version https://git-lfs.github.com/spec/v1\n");
+    bench.write("b.obj", "<!DOCTYPE html>");
+    bench.write("c.obj", "v 1 1 1\nf 1 1 1\n");
+    bench.write("d.obj", "v 1 1 1\np 1\n");
+    bench.write("e.obj", "v 0 0 0\nv 1\n");
+    for (name, says) in [
+        (
+            "a.glb",
+            "it is a Git LFS pointer in place of the file: fetch the file itself with git lfs pull",
+        ),
+        (
+            "b.obj",
+            "it is an HTML file: download the file itself, not the page about it",
+        ),
+        (
+            "c.obj",
+            "there is nothing to see: all points of its faces are at 1,1,1",
+        ),
+        (
+            "d.obj",
+            "it has points or lines, but no faces: only faces are drawn; not drawn: points",
+        ),
+        (
+            "e.obj",
+            "line 2: 'v 1' is not a position: it needs 3 numbers",
+        ),
+    ] {
+        let message = bench.refused(name, &[]);
+        assert_eq!(message, format!("error: model {name}: {says}\n"));
+    }
+    bench.write("t.obj", TRIANGLE);
+    bench.write("t.png", "II*\0");
+    let message = bench.refused("t.obj --texture t.png", &[]);
+    let says = "it is a TIFF file: PNG, JPEG, BMP, TGA, GIF and WebP can be read";
+    assert_eq!(
+        message,
+        format!("error: cannot read texture t.png: {says}\n")
+    );
+}
+
+/// These would never end.
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices_are_refused() {
+    let bench = Bench::new("endless");
+    let pipe = bench.path("pipe.obj");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    bench.write("t.obj", format!("mtllib pipe.obj\n{TRIANGLE}"));
+    let says = "it is a pipe or a device, not a file";
+    bench.refused("pipe.obj", &[says]);
+    bench.refused("/dev/zero", &[says]);
+    bench.refused("t.obj --texture /dev/zero", &[says]);
+    bench.write("m.mtl", "newmtl a\nmap_Kd /dev/zero\n");
+    bench.write("u.obj", format!("mtllib m.mtl\nusemtl a\n{TRIANGLE}"));
+    for model in ["t.obj", "u.obj"] {
+        let notes = bench.notes(format!("{model} --out o.png"));
+        assert!(notes.contains("note: cannot read "), "{notes}");
+    }
 }

@@ -50,6 +50,20 @@ impl Arguments {
         Ok(Self { path, options })
     }
 
+    /// Arguments of a test: the path of a file, and options without values.
+    #[cfg(test)]
+    pub fn of(path: &Path, options: &[&str]) -> Self {
+        let value = path.display().to_string();
+        let options = options.iter().map(|word| ((*word).into(), None)).collect();
+        Self {
+            path: Asset {
+                value,
+                path: path.into(),
+            },
+            options,
+        }
+    }
+
     /// Refuses options that are not in `known`.
     pub fn check(&self, known: &[&str]) -> Result<(), String> {
         match self

@@ -43,6 +43,12 @@ impl Expansion {
         self.notes.extend(notes);
     }
 
+    /// The notes that become warnings.
+    #[cfg(test)]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
     /// The tokens of the block. The compiler reports errors in these tokens at `span`.
     pub fn tokens(mut self, fixel: &TokenTree, span: Span) -> TokenStream {
         let notes = std::mem::take(&mut self.notes);

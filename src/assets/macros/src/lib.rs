@@ -5,6 +5,8 @@ mod arguments;
 mod expansion;
 mod mesh;
 mod picture;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! `include_mesh!` and `include_materials!`.
 
-use fixel_assets::{Disk, Image, Lists, Material, Model, Options};
+use fixel_assets::{Disk, Image, Lists, Material, Model, Notes, Options};
 
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
@@ -38,6 +38,7 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
         part: arguments.text("part")?,
         object: arguments.text("object")?,
         file_order: arguments.has("file_order"),
+        ..Options::default()
     })
 }
 
@@ -212,7 +213,11 @@ fn write(out: &mut Expansion, lists: &Lists, format: Option<&str>) {
 pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
     arguments.check(&[])?;
     let mut expansion = Expansion::default();
-    let model = read(arguments, &mut expansion)?;
+    let mut model = read(arguments, &mut expansion)?;
+    // The mesh of the same file has the model's other notes.
+    model.notes = Notes::default();
+    model.find_textures(&Disk);
+    expansion.note(&arguments.path.value, &model.notes);
     let parts: Vec<String> = model
         .runs()
         .into_iter()
@@ -221,19 +226,24 @@ pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
             let material = run.material.and_then(|at| model.materials.get(at as usize));
             let plain = Material::new(String::new());
             let material = material.unwrap_or(&plain);
-            let image = material.texture.and_then(|at| model.images.get(at as usize));
-            let texture = image.and_then(image_name);
+            let texture = material.texture.and_then(|at| {
+                match model.images.get(at as usize)? {
+                    Image::File(path) => Some(path.file_name()?.to_string_lossy().into_owned()),
+                    Image::Bytes(name, _) => Some(name.clone()),
+                    Image::Glowing { .. } => Some(format!("image-{at}")),
+                }
+            });
             let rgb = |[r, g, b]: [u8; 3]| format!("fixel::mesh::flash::Rgb888::new({r}, {g}, {b})");
             let (color, emission) = (rgb(material.color), rgb(material.emission));
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
             let opacity = (material.opacity * 255.0).round() as u8;
             let (name, alpha, two_sided) = (&material.name, material.alpha, material.two_sided);
-            let clamp = material.clamp;
+            let (clamp, unlit) = (material.clamp, material.unlit);
             format!(
                 "fixel::mesh::Part::new({start}..{end}, fixel::mesh::Material {{
                      name: {name:?}, color: {color}, texture: ::core::option::Option::{texture:?},
                      alpha: fixel::mesh::TextureAlpha::{alpha:?}, opacity: {opacity}, emission: {emission},
-                     two_sided: {two_sided}, clamp: {clamp:?},
+                     two_sided: {two_sided}, clamp: {clamp:?}, unlit: {unlit},
                  }})"
             )
         })
@@ -244,12 +254,4 @@ pub fn materials(arguments: &Arguments) -> Result<Expansion, String> {
         parts.join(", ")
     ));
     Ok(expansion)
-}
-
-/// The name of a picture: the name of its file, or its name in the model.
-fn image_name(image: &Image) -> Option<String> {
-    match image {
-        Image::File(path) => Some(path.file_name()?.to_string_lossy().into_owned()),
-        Image::Bytes(name, _) => Some(name.clone()),
-    }
 }

@@ -1,10 +1,8 @@
 //! `include_texture!`.
 
 use std::collections::HashMap;
-use std::fs;
-use std::path::PathBuf;
 
-use fixel_assets::{Disk, Format, Image, Picture};
+use fixel_assets::{Disk, Files, Format, Notes, Picture};
 
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
@@ -22,34 +20,30 @@ fn read(arguments: &Arguments, out: &mut Expansion) -> Result<Picture, String> {
             );
         }
         out.depend(std::slice::from_ref(path));
-        let bytes =
-            fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+        let bytes = Disk.read(path);
+        let bytes = bytes.map_err(|error| format!("it cannot be read: {error}"))?;
         return Picture::decode(&bytes);
     }
-    let model = fixel_assets::read(path, &Disk)?;
+    let mut model = fixel_assets::read(path, &Disk)?;
     out.depend(std::slice::from_ref(path));
+    out.depend(&model.files);
     let at = match arguments.value("image") {
         None => 0,
         Some(at) => at
-            .parse::<usize>()
+            .parse()
             .map_err(|_| format!("image is {at}: it must be a whole number"))?,
     };
-    let image = model.images.get(at);
-    let image = image.ok_or_else(|| {
-        format!(
-            "image {at} does not exist: there are {}, counted from 0",
-            model.images.len()
-        )
-    })?;
-    match image {
-        Image::File(path) => {
-            out.depend(&[PathBuf::from(path)]);
-            let bytes = fs::read(path)
-                .map_err(|error| format!("cannot read {}: {error}", path.display()))?;
-            Picture::decode(&bytes)
-        }
-        Image::Bytes(_, bytes) => Picture::decode(bytes),
+    let count = model.images.len();
+    if at as usize >= count {
+        return Err(format!(
+            "image {at} does not exist: there are {count}, counted from 0"
+        ));
     }
+    // The mesh of the same file has the model's other notes.
+    model.notes = Notes::default();
+    let picture = model.picture(at, &Disk);
+    out.note(&arguments.path.value, &model.notes);
+    picture
 }
 
 /// The size that an option asks for, such as 256x256.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{MOST, Reader, whole};
+use super::{MOST, Reader, check_compression, whole};
 
 impl Reader<'_> {
     /// The values of an attribute. The list is empty if the attribute is missing, or has more or fewer values than
@@ -17,12 +17,23 @@ impl Reader<'_> {
         };
         let mut values = self.values(at)?;
         if values.len() != count {
-            self.model
-                .notes
-                .add("an attribute with another number of values than positions is left out");
+            let note = "an attribute with another number of values than positions is left out";
+            self.model.notes.add(note);
             values.clear();
         }
         Ok(values)
+    }
+
+    /// Whether some value of an attribute of colors is not opaque.
+    pub(super) fn has_alpha(&mut self, accessor: &Value, count: usize) -> Result<bool, String> {
+        let Some(at) = whole(accessor) else {
+            return Ok(false);
+        };
+        if self.item("accessors", at)?["type"] != "VEC4" {
+            return Ok(false);
+        }
+        let colors = self.attribute::<4>(accessor, count)?;
+        Ok(colors.iter().any(|color| color[3] < 1.0))
     }
 
     /// The bytes of a buffer view, and the stride of its values if the view states one.
@@ -36,6 +47,9 @@ impl Reader<'_> {
         let buffer = number("buffer").unwrap_or(0);
         self.item("buffers", buffer)?;
         let buffer = &self.buffers[buffer];
+        if buffer.is_empty() {
+            check_compression(|name| view["extensions"][name].is_object())?;
+        }
         let bytes = buffer.get(start..).and_then(|rest| rest.get(..length));
         let bytes = bytes.ok_or_else(|| {
             format!(
@@ -108,9 +122,8 @@ impl Reader<'_> {
                 whole_size,
                 whole_size,
                 count,
-            )
-            .ok_or_else(leaves)?;
-            for (index, bytes) in indices.zip(changed) {
+            );
+            for (index, bytes) in indices.zip(changed.ok_or_else(leaves)?) {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
                 // a whole number of 32 bits
                 let index = number(place_kind, index, false) as usize;
@@ -118,9 +131,8 @@ impl Reader<'_> {
             }
         }
         self.read += count * whole_size;
-        self.folder
-            .files
-            .progress(self.read.min(self.folder.all), self.folder.all);
+        let (all, files) = (self.folder.all, self.folder.files);
+        files.progress(self.read.min(all), all);
         Ok(values)
     }
 }

@@ -70,10 +70,13 @@ pub(super) fn local(node: &Value) -> Matrix {
 }
 
 /// The weighted mean of the matrices of a vertex's joints; `None` if the sum of the weights is not positive.
-pub(super) fn blend(joints: &[Matrix], (which, weights): &([f64; 4], [f64; 4])) -> Option<Matrix> {
-    let all: f64 = weights.iter().sum();
+pub(super) fn blend<'a>(
+    joints: &[Matrix],
+    bones: impl Iterator<Item = &'a ([f64; 4], [f64; 4])> + Clone,
+) -> Option<Matrix> {
+    let all: f64 = bones.clone().flat_map(|(_, weights)| weights).sum();
     let mut mean = [[0.0; 4]; 4];
-    for (&joint, weight) in which.iter().zip(weights) {
+    for (&joint, weight) in bones.flat_map(|(which, weights)| which.iter().zip(weights)) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number
         let joint = joints.get(joint as usize).unwrap_or(&IDENTITY);
         for (sum, x) in mean.as_flattened_mut().iter_mut().zip(joint.as_flattened()) {

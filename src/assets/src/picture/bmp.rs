@@ -35,11 +35,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     // Without compression, a pixel takes at least 1 bit. A run of at most 255 pixels takes 2 bytes. (Jumps could skip
     // more pixels than that, but programs do not write whole pictures as jumps.)
     let len = bytes.len() as u64;
-    let most = if compression == 0 {
-        len * 8
-    } else {
-        len * 255 / 2
-    };
+    let most = len * if compression == 0 { 16 } else { 255 } / 2;
     check(bytes, most, width as u64, height as u64)?;
     let is_os2 = header == 64;
     match (compression, bits) {
@@ -61,12 +57,8 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
         let masks = match (compression, bits) {
             (3 | 6, _) => {
                 let has_alpha = compression == 6 || header >= 56;
-                [
-                    long(54)?,
-                    long(58)?,
-                    long(62)?,
-                    if has_alpha { long(66)? } else { 0 },
-                ]
+                let alpha = if has_alpha { long(66)? } else { 0 };
+                [long(54)?, long(58)?, long(62)?, alpha]
             }
             (_, 16) => [0x7c00, 0x3e0, 0x1f, 0],
             (_, 24) => [0x00ff_0000, 0xff00, 0xff, 0],
@@ -94,12 +86,8 @@ pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     } else {
         runs(data, bits, width, height)?
     };
-    indexed(
-        width,
-        height,
-        turned(indices, width, from_bottom, false),
-        colors,
-    )
+    let indices = turned(indices, width, from_bottom, false);
+    indexed(width, height, indices, colors)
 }
 
 /// The rows of a picture without compression. Each row is padded to a multiple of 4 bytes. The padding of the last row

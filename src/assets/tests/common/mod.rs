@@ -17,16 +17,23 @@ impl Files for Memory {
         file.ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
-    fn has(&self, path: &Path) -> bool {
-        self.0.contains_key(path)
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        let lower = |path: &Path| path.to_string_lossy().to_lowercase();
+        let mut paths = self.0.keys().filter(|other| lower(other) == lower(path));
+        let exact = self.0.contains_key(path).then(|| path.into());
+        exact.or_else(|| paths.next().cloned())
     }
 }
 
 /// Reads the model in the first of several files. Each file is given by its name and contents.
 pub fn read<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Result<Model, String> {
+    fixel_assets::read(Path::new(files[0].0), &memory(files))
+}
+
+/// Files in memory, each given by its name and contents.
+pub fn memory<T: AsRef<[u8]>>(files: &[(&str, T)]) -> Memory {
     let file = |(name, bytes): &(&str, T)| (name.into(), bytes.as_ref().to_vec());
-    let memory = Memory(files.iter().map(file).collect());
-    fixel_assets::read(Path::new(files[0].0), &memory)
+    Memory(files.iter().map(file).collect())
 }
 
 /// The notes of the reader, as a list.
