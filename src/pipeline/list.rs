@@ -270,11 +270,11 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// <!-- figures: painter -->
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
-    /// | sphere | 0 | 17.1 KiB | 2.33 | 2.56 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.39 | 1.54 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.66 | 0.94 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 4.38 | 4.92 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 8.18 | 8.85 |
+    /// | sphere | 0 | 17.1 KiB | 2.07 | 2.31 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.36 | 1.54 |
+    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.62 | 0.92 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 4.14 | 4.66 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 7.77 | 8.37 |
     /// <!-- end -->
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and

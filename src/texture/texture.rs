@@ -41,7 +41,7 @@ use crate::error::{check_length, ok};
 /// | the same at opt-level "s" | 1.29 | 1.40 |
 /// | Cortex-M4, `Fast` | 1.35 | 1.51 |
 /// | Cortex-M0+, `Newton` | 2.40 | 2.37 |
-/// | Cortex-M0+, `Fast` | 2.35 | 2.51 |
+/// | Cortex-M0+, `Fast` | 2.35 | 2.52 |
 /// <!-- end -->
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
