@@ -128,7 +128,8 @@ impl<'e> ErrorDiffusion<'e> {
             (self.column, self.right, self.below, self.below_right) =
                 (at + 1, right, below, beyond);
         }
-        C::from_steps([steps; 3])
+        // Not `[steps; 3]`, which is a loop in a build for size.
+        C::from_steps([steps, steps, steps])
     }
 
     /// Stores the error of a column of the next row. The error is at most 2,040, half of a step from black to white.
