@@ -82,9 +82,9 @@ mod tests {
                 ] {
                     let numbers = cache.numbers(key, [0], || {
                         computed += 1;
-                        [key as i32 + 7]
+                        [key.cast_signed() + 7]
                     });
-                    assert_eq!(numbers, [key as i32 + 7]);
+                    assert_eq!(numbers, [key.cast_signed() + 7]);
                 }
             }
         }

@@ -365,9 +365,10 @@ mod tests {
             let varying = fog.density.varying(distance, true);
             let parts = f64::from(1 << BITS);
             // The varying is rounded down to a multiple of 2^-BITS.
-            let found = f64::from(LinearFog::left(varying, true));
+            let found = LinearFog::left(varying, true);
             let plain = LinearFog::left(fog.density.varying(distance, false), false);
-            assert!(found == f64::from(plain), "{distance}: {plain}");
+            assert_eq!(found, plain, "{distance}");
+            let found = f64::from(found);
             assert!(
                 (found - left.clamp(0., 1.) * parts).abs() <= 1.,
                 "{distance}: {found}"
