@@ -474,6 +474,56 @@ mod tests {
         assert!(compared > 1000, "{compared}");
     }
 
+    /// The plan of a sliver that is ten pixels long, with these varyings. A small or coarse plane in it has a range below
+    /// 2^23.
+    fn plan_of_sliver(is_paired: bool, q: [u32; 3], varyings: &mut [Varying]) -> Plan {
+        let screens = [[0, 127], [2560, 127], [0, 135]];
+        let mut vertices = screens.map(vertex);
+        for (vertex, q) in vertices.iter_mut().zip(q) {
+            vertex.q = q;
+        }
+        let patch = Patch {
+            vertices: vertices.each_ref(),
+            barycentric: None,
+            size: [2560, 8],
+            area: area(&screens),
+        };
+        Setup::new([false, is_paired], FRACTION).set_up(varyings, &patch)
+    }
+
+    /// Levels are shifted left by two bits, so 63 steps of green have a range of 24 bits.
+    #[test]
+    fn a_sliver_has_no_coarse_planes_of_a_wide_range() {
+        let plan = |steps: i32| {
+            let mut varyings = [Varying {
+                corners: [0, steps << 16, 0],
+                tolerance: [1 << 13; 2],
+                ..Varying::UNSET
+            }; 3];
+            plan_of_sliver(true, [1 << 30; 3], &mut varyings)
+        };
+        assert_eq!(plan(31), Plan::Small);
+        assert_ne!(plan(63), Plan::Small);
+    }
+
+    /// A sliver without small planes has the narrow tolerance of 16 units, like a large triangle. The errors are
+    /// 2^23 · 2^12 / 2^32 = 8 units, 32 units, and again 32 units.
+    #[test]
+    fn a_sliver_without_small_planes_has_the_narrow_tolerance() {
+        let plan = |texels: i32, change: u32| {
+            let mut varying = [Varying {
+                corners: [0, texels << 16, 0],
+                tolerance: [1 << 11, 1 << 4],
+                ..Varying::UNSET
+            }];
+            plan_of_sliver(false, [1 << 30, (1 << 30) + change, 1 << 30], &mut varying)
+        };
+        assert_eq!(plan(128, 1 << 12), Plan::Straight);
+        assert_eq!(plan(128, 1 << 14), Plan::BySpan);
+        // The same error is allowed in a small plane.
+        assert_eq!(plan(2, 1 << 20), Plan::Small);
+    }
+
     /// The error is at most `change` · range / (4 · `least`), and must be below the tolerance.
     #[test]
     fn a_varying_is_affine_below_its_tolerance() {
