@@ -216,7 +216,8 @@ impl Basis {
         })
     }
 
-    /// Whether these values make a small plane: their differences are below the limit.
+    /// Whether these values make a small plane: their differences from the first value are below the limit, which is a
+    /// power of two or, for a point, has all bits set.
     #[inline]
     pub(crate) const fn has_small(&self, [a, b, c]: [i32; 3]) -> bool {
         let most = magnitude(b.wrapping_sub(a)) | magnitude(c.wrapping_sub(a));
@@ -255,7 +256,8 @@ impl Basis {
         SmallPlane { step, row, start }
     }
 
-    /// Sets up a plane through the values at the corners: a small plane if their range allows it, otherwise a wide plane.
+    /// Sets up a plane through the values at the corners: a small plane if their differences allow it, otherwise a wide
+    /// plane.
     /// `wide` is the basis of the triangle's wide planes, once it has one.
     #[inline]
     pub(crate) fn set_up(

@@ -229,7 +229,7 @@ impl Setup {
                 straight(self.q.is_small)
             }
             (affine, varyings) => {
-                // So far, the tolerance was that of a small triangle.
+                // `affine` holds within the tolerance of a small triangle. This triangle gets the narrower one.
                 let affine = affine.and_then(|_| self.affine_range(varyings, change, false));
                 if !cfg!(for_size)
                     && affine.is_none()
@@ -266,7 +266,8 @@ impl Setup {
         self.least_bits == FRACTION && self.q.is_small && self.least > SHALLOW
     }
 
-    /// Sets up small planes through the varyings over w. Returns false if a varying is too large.
+    /// Sets up small planes through the varyings over w. Returns false if the values of a varying are too large, or too far
+    /// apart, for a small plane.
     #[inline]
     fn set_up_small_over_w(
         varyings: &mut [Varying],

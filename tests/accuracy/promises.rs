@@ -163,14 +163,15 @@ struct Worst {
 ///
 /// For each repeat, an interpolant's unit is at most 4¼ · 2⁻³⁰ · w of a repeat. For a product of 1, this is 2⁻⁶ · 4¼
 /// units of 2⁻¹⁶ texel, and 56½ times as much is 3¾ units. Up to a product of 16, the error of `Exact` is at most 61½ +
-/// 1 units; 0.001 texel is 65½ units. `Newton::NARROW` adds 28½ units where a row is straight, or 8 units for each repeat,
-/// whichever is larger. It also adds 16 units, or 21.2 units for one repeat without a far corner. So the
-/// derivation proves the promise up to a product of 4 for one repeat, and of 5 for two. A larger error needs roundings
-/// that all have the same sign, in a row that is as level as possible. Up to a product of 16, this test shows that the
-/// promise is kept. The default adds its tolerance in small triangles, where nothing else adds more than 10 units (see
-/// `bounds::newton`); elsewhere, it draws as `Newton::NARROW` does. `Fast` can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to
-/// 0.0297 texel (see `bounds::fast`). For more repeats, they use proportionally more. So the promise of `Fast` is for
-/// one repeat, at the span's farthest pixel.
+/// 1 units; 0.001 texel is 65½ units. To this, `Newton::NARROW` adds the larger of two errors: 28½ units where a row is
+/// straight, or 8 units for each repeat. Its interpolants have 28 bits, which adds 16 units, or 21.2 units for one
+/// repeat without a far corner. So the derivation proves the promise up to a product of 4 for one repeat, and of 5 for
+/// two. A larger error needs roundings that all have the same sign, in a row that is as level as possible. Up to a
+/// product of 16, this test shows that the promise is kept. The default adds its tolerance in small triangles, where
+/// nothing else adds more than 10 units (see `bounds::newton`); elsewhere, it draws as `Newton::NARROW` does. `Fast`
+/// can use 1/32 texel besides its tolerance. For one repeat, the 16-bit reciprocals use up to 0.0297 texel (see
+/// `bounds::fast`). For more repeats, they use proportionally more. So the promise of `Fast` is for one repeat, at the
+/// span's farthest pixel.
 ///
 /// In a very deep triangle, `Exact` recomputes the interpolants at each pixel. A numerator is then rounded by half of
 /// its unit. For a product of 1, this is 1/32 unit of 2⁻¹⁶ texel, and the truncation of a corner's 1/w moves a value by

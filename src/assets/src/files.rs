@@ -72,10 +72,10 @@ pub struct Folder<'a> {
 }
 
 impl Folder<'_> {
-    /// The path of a file that a model names. The name is relative to the folder of the file that has it, or else to
-    /// the model's folder. If there is no such file, for example because the model comes from another computer, the
-    /// last part of the name counts, and then names in another case. If nothing is found, the path is the last one
-    /// tried.
+    /// The path of a file whose name stands in a model or in its materials. First the name is looked for in the folder
+    /// of the file that contains it, and in the model's folder; then, because the model may come from another computer,
+    /// only the last part of the name; and then the same names in another case. If nothing is found, returns the last
+    /// part of the name in the model's folder.
     pub fn beside(&self, name: &str) -> PathBuf {
         let name = name.replace('\\', "/");
         let last = name.rsplit('/').next().unwrap_or(&name);

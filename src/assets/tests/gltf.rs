@@ -624,7 +624,7 @@ fn emission_is_drawn_only_with_its_texture() {
         assert_eq!(shown(&document).0, Some(sum));
     }
     document.root["materials"][0]["emissiveTexture"]["texCoord"] = json!(1);
-    // Without a texture of the surface, the coordinates are those of the light.
+    // If the surface has no texture, the vertices get the coordinates of the light's texture.
     let uvs = document.floats("VEC2", &[0.25, 0.25, 0.5, 0.25, 0.5, 0.5, 0.25, 0.5]);
     document.primitive()["attributes"]["TEXCOORD_1"] = json!(uvs);
     document.root["materials"][0]["pbrMetallicRoughness"] =
