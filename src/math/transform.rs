@@ -112,7 +112,8 @@ pub(crate) fn compose(rows: &[AffineRow; 3], other: &Transform) -> Transform {
         b.linear_after(other),
         c.linear_after(other),
     ];
-    let exps = [a.exp, b.exp, c.exp].map(|exp| exp + other.linear_exp);
+    let exp = other.linear_exp;
+    let exps = [a.exp + exp, b.exp + exp, c.exp + exp];
     let mut t = Transform::IDENTITY;
     t.linear_exp = block::normalize_rows(&mut t.linear, &linear, &exps);
     t.moved_to(rows, other)
@@ -154,7 +155,7 @@ impl Transform {
     pub fn translate(offset: Vec3) -> Self {
         let mut t = Self::IDENTITY;
         let numbers = offset.to_bits().map(|v| BlockFloat::new(v.into(), 16));
-        t.translation_exp = block::normalize_vector(&mut t.translation, &numbers);
+        t.translation_exp = block::normalize(&mut t.translation, &numbers);
         t
     }
 
@@ -198,7 +199,7 @@ impl Transform {
     #[inline(never)]
     fn moved_to(mut self, rows: &[AffineRow; 3], other: &Self) -> Self {
         let offsets = rows.each_ref().map(|row| row.offset_after(other));
-        self.translation_exp = block::normalize_vector(&mut self.translation, &offsets);
+        self.translation_exp = block::normalize(&mut self.translation, &offsets);
         self
     }
 

@@ -21,30 +21,15 @@ const LIMIT: i64 = (1 << BITS) - 1;
 /// Returns `value` · 2^`shift`, rounded to nearest (half up); saturates.
 #[inline(never)]
 pub(crate) const fn shift(value: i64, shift: i32) -> i64 {
-    // One bit is left for the sign.
-    if shift <= 0 || value == 0 || shift < leading_zeros(value) {
-        shift_inline(value, shift)
-    } else if value < 0 {
-        -i64::MAX
-    } else {
-        i64::MAX
-    }
-}
-
-/// Returns [`shift`] of a value that does not saturate.
-#[inline]
-pub(crate) const fn shift_fitting(value: i64, by: i32) -> i64 {
-    if cfg!(for_size) {
-        shift(value, by)
-    } else {
-        shift_inline(value, by)
-    }
-}
-
-#[inline]
-const fn shift_inline(value: i64, shift: i32) -> i64 {
     if shift >= 0 {
-        value << (shift & 63)
+        // One bit is left for the sign.
+        if value == 0 || shift < leading_zeros(value) {
+            value << (shift & 63)
+        } else if value < 0 {
+            -i64::MAX
+        } else {
+            i64::MAX
+        }
     } else if shift > -64 {
         // A half is added when only one bit is left to drop, because then the sum cannot overflow.
         ((value >> (-shift - 1)) + 1) >> 1
@@ -137,23 +122,14 @@ impl BlockFloat {
     }
 
     /// Rounds both numbers to 61 bits and adds them.
-    #[cfg_attr(for_size, inline(never))]
-    #[cfg_attr(not(for_size), inline)]
+    #[inline(never)]
     pub(crate) fn plus(self, other: Self) -> Self {
         // A sum with a zero needs no common exponent. Most translations of a product of transforms are such sums.
         if !cfg!(for_size) && other.value == 0 && (-(1 << 61) + 1..1 << 61).contains(&self.value) {
             return self;
         }
-        self.plus_any(other)
-    }
-
-    /// Rounds both numbers to 61 bits and adds them.
-    #[cfg_attr(for_size, inline)]
-    #[cfg_attr(not(for_size), inline(never))]
-    fn plus_any(self, other: Self) -> Self {
         let exp = self.finest(61).min(other.finest(61));
-        let at_exp = |number: Self| shift_fitting(number.value, exp.saturating_sub(number.exp));
-        Self::new(at_exp(self) + at_exp(other), exp)
+        Self::new(self.at(exp) + other.at(exp), exp)
     }
 
     /// Divides by the magnitude of `divisor`. A divisor of zero counts as half of its unit.
@@ -192,21 +168,6 @@ fn operand(value: i64) -> (i32, i32) {
 /// saturate at ±(2^30 − 1).
 #[inline(never)]
 pub(crate) fn normalize(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
-    normalize_inline(mantissas, numbers)
-}
-
-/// [`normalize`] of three numbers.
-#[cfg_attr(for_size, inline)]
-#[cfg_attr(not(for_size), inline(never))]
-pub(crate) fn normalize_vector(mantissas: &mut [i32; 3], numbers: &[BlockFloat; 3]) -> i32 {
-    if cfg!(for_size) {
-        return normalize(mantissas, numbers);
-    }
-    normalize_inline(mantissas, numbers)
-}
-
-#[inline]
-fn normalize_inline(mantissas: &mut [i32], numbers: &[BlockFloat]) -> i32 {
     let finest = |exp: i32, number: &BlockFloat| exp.min(number.finest(BITS));
     let exp = numbers.iter().fold(MAX_EXP, finest).max(MIN_EXP);
     for (mantissa, number) in mantissas.iter_mut().zip(numbers) {

@@ -84,13 +84,8 @@ impl<'m, K: ProjectionKind> Call<'m, K> {
 
     /// Whether the mesh is certain to have no pixel in the frame, because the box around it is known and out of view.
     /// No box is known in a program that is optimized for size.
-    #[inline]
+    #[cfg_attr(not(for_size), inline(never))]
     pub(super) fn is_outside(&self) -> bool {
-        !cfg!(for_size) && self.has_box_outside()
-    }
-
-    #[inline(never)]
-    fn has_box_outside(&self) -> bool {
         let positions = self.placement.mesh.positions();
         let Some(bounds) = positions.known_bounds() else {
             return false;

@@ -150,7 +150,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             for m in rows.as_flattened_mut() {
                 *m = ((*m >> (down - 1).min(31)) + 1) >> 1;
             }
-            offsets = clip.translation.map(|m| block::shift_fitting(m.into(), up));
+            offsets = clip.translation.map(|m| block::shift(m.into(), up));
             fractions = [fraction.cast_unsigned() as u8; 3];
         } else {
             // Each row has its own exponent, because a box may be millions of times as wide as it is deep or high.
@@ -168,7 +168,7 @@ impl<'m, K: ProjectionKind> Projector<'m, K> {
             let least = (1 << 27) + (1 << 11) - 1;
             let most = BlockFloat::new(product(m, far), exp + 16);
             [
-                -block::shift_fitting(least, fraction - 27),
+                -block::shift(least, fraction - 27),
                 most.at(fraction).min(i64::MAX >> 1),
             ]
         } else {

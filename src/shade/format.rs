@@ -165,8 +165,8 @@ macro_rules! formats {
             #[inline]
             fn from_steps([r, g, b]: [i32; 3]) -> Self {
                 // Written without `map`, which is a loop in a build for size.
-                let byte = |steps: i32| steps.cast_unsigned() as u8;
-                Self::new(byte(r), byte(g), byte(b))
+                let (r, g, b) = (r.cast_unsigned(), g.cast_unsigned(), b.cast_unsigned());
+                Self::new(r as u8, g as u8, b as u8)
             }
 
             #[inline]

@@ -72,11 +72,12 @@ impl<L: Lanes, K: ProjectionKind, M: Mode> Interpolator<L, K, M> {
             planes: Planes {
                 setup: Setup::new([!Self::OVER_W, pairs], Self::LEAST_BITS),
                 // The varyings are built in place. If a loop built them, they would be copied into `planes` afterwards.
-                varyings: L::map(&lanes, |&lane| Varying {
-                    tolerance: mode
-                        .affine_within(tolerance(lane))
-                        .map(|units| units.min(MOST_TOLERANCE)),
-                    ..Varying::UNSET
+                varyings: L::map(&lanes, |&lane| {
+                    let [small, large] = mode.affine_within(tolerance(lane));
+                    Varying {
+                        tolerance: [small.min(MOST_TOLERANCE), large.min(MOST_TOLERANCE)],
+                        ..Varying::UNSET
+                    }
                 }),
             },
             plan: Self::KERNEL,

@@ -80,7 +80,7 @@ impl Transform {
         let moved = self
             .linear
             .map(|row| BlockFloat::new(-dot(&row, &from.translation), exp));
-        self.translation_exp = block::normalize_vector(&mut self.translation, &moved);
+        self.translation_exp = block::normalize(&mut self.translation, &moved);
         self
     }
 }
