@@ -130,8 +130,9 @@ pub mod benchmarks {}
 /// For each quantity (coordinates, distances, sizes, angles), this page gives the range in which accuracy is promised,
 /// the behavior beyond this range, and the errors measured at the ends of the range.
 ///
-#[cfg_attr(doc, doc = include_str!("diagrams/eye.svg"))]
-///
 #[doc = include_str!("limits.md")]
+#[doc = include_str!("diagrams/reach.svg")]
+///
+#[doc = include_str!("ranges.md")]
 #[doc = include_str!("extremes.md")]
 pub mod limits {}
