@@ -1,4 +1,4 @@
-//! Draws two linked rings in the sun, and saves the picture as rings.ppm.
+//! Draws two linked rings in the sun, and saves the picture as rings.png.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw::ToBytes};
 use fixel::prelude::*;
@@ -25,9 +25,9 @@ fn draw(color: &mut [Rgb565], depth: &mut [u16]) -> Result<(), Error> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mut color, mut depth) = (vec![Rgb565::default(); 320 * 240], vec![0; 320 * 240]);
     draw(&mut color, &mut depth)?;
-    let mut picture = b"P6 320 240 255\n".to_vec();
-    for pixel in color {
-        picture.extend(Rgb888::from(pixel).to_be_bytes());
-    }
-    Ok(std::fs::write("rings.ppm", picture)?)
+    let bytes = |&pixel| Rgb888::from(pixel).to_be_bytes();
+    let bytes: Vec<u8> = color.iter().flat_map(bytes).collect();
+    let mut picture = png::Encoder::new(std::fs::File::create("rings.png")?, 320, 240);
+    picture.set_color(png::ColorType::Rgb);
+    Ok(picture.write_header()?.write_image_data(&bytes)?)
 }

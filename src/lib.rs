@@ -1,8 +1,9 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers only.
-//! Textures and colors are interpolated in correct perspective, every processor draws the same pixels, and you supply
-//! the memory. The crate is `no_std` and uses no allocation and no `unsafe`.
+//! Textures and colors are interpolated in correct perspective, and you supply the memory. The crate is `no_std` and
+//! uses no allocation and no `unsafe`. Programs built for Cortex-M0+, M3, M4, M23, M33 and RISC-V draw, in emulators,
+//! the same bits as your computer.
 //!
 #![cfg_attr(
     all(doc, feature = "assets"),
