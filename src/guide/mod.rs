@@ -111,7 +111,7 @@ pub mod displays;
     all(doc, feature = "assets"),
     doc = concat!(
         "<img alt=\"Cost and error of each mode in two scenes, and a floor of two triangles: bent by Affine, straight ",
-        "by Newton\" style=\"width: 830px; max-width: 100%\" src=\"",
+        "by Newton\" style=\"width: 640px; max-width: 100%\" src=\"",
         fixel_macros::picture_uri!("trade.png"),
         "\">\n"
     )

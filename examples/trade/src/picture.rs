@@ -17,33 +17,68 @@ use super::table::{Row, digits};
 
 type Paper<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
-/// The width of the chart, to the left of the views.
-const CHART: u32 = 1000;
+/// The width of the picture, and the height of the chart above the views.
+const WIDE: u32 = 1000;
+const CHART: u32 = 700;
 /// Each view shows a part of the floor. Each pixel is drawn as a square with this side.
 const ZOOM: u32 = 2;
 /// The left and top edges, the width and the height of the part of the floor.
-const PART: (u32, u32, u32, u32) = (0, 88, 320, 152);
-/// The height of a view, with the line of text above the view.
-const VIEW: u32 = PART.3 * ZOOM + 64;
-const SIZE: (u32, u32) = (CHART + PART.2 * ZOOM + 20, 2 * VIEW + 26);
+const PART: (u32, u32, u32, u32) = (40, 88, 240, 152);
+/// The height of the lines of text above a view.
+const WORDS: u32 = 84;
+const SIZE: (u32, u32) = (WIDE, CHART + WORDS + PART.3 * ZOOM);
 
 /// The name of the font.
 const FONT: &str = "sans-serif";
-/// The sizes of titles, names of axes, and numbers. The picture is viewed at half of its size.
-const TITLE: (&str, i32) = (FONT, 32);
-const NAME: (&str, i32) = (FONT, 27);
-const LABEL: (&str, i32) = (FONT, 24);
-/// The color of axes and letters.
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-/// The color of the line through the modes of a scene.
-const THREAD: RGBColor = RGBColor(195, 195, 195);
+/// The sizes of names and of numbers. On a screen of 400 points, the letters are still 9 points high.
+const NAME: (&str, i32) = (FONT, 30);
+const LABEL: (&str, i32) = (FONT, 27);
+
+/// The colors of a picture.
+pub struct Theme {
+    paper: RGBColor,
+    /// The color of axes and letters.
+    ink: RGBColor,
+    grid: RGBColor,
+    /// The color of the line through the modes of a scene.
+    thread: RGBColor,
+    /// The colors of the modes `Exact`, `Newton`, `Fast` and `Affine`. Color-blind readers can tell the colors of this
+    /// palette, by Okabe and Ito, apart.
+    modes: [RGBColor; 4],
+}
+
+pub const LIGHT: Theme = Theme {
+    paper: WHITE,
+    ink: RGBColor(40, 40, 40),
+    grid: RGBColor(225, 225, 225),
+    thread: RGBColor(195, 195, 195),
+    modes: [
+        RGBColor(0, 114, 178),
+        RGBColor(213, 94, 0),
+        RGBColor(0, 158, 115),
+        RGBColor(204, 121, 167),
+    ],
+};
+
+/// For a dark page: the palette's colors are lighter.
+pub const DARK: Theme = Theme {
+    paper: RGBColor(13, 17, 23),
+    ink: RGBColor(225, 225, 225),
+    grid: RGBColor(48, 54, 61),
+    thread: RGBColor(95, 100, 108),
+    modes: [
+        RGBColor(86, 180, 233),
+        RGBColor(240, 140, 50),
+        RGBColor(40, 190, 145),
+        RGBColor(222, 150, 190),
+    ],
+};
 
 /// The axis of errors begins here. For comparison, half a unit of an interpolated texel is 2⁻¹⁷.
 const LEAST_ERROR: f64 = 1e-5;
 
 /// A mark around a point.
-type Mark = fn(&Paper<'_>, (i32, i32), RGBColor) -> Result<()>;
+type Mark = fn(&Paper<'_>, (i32, i32), RGBColor, RGBColor) -> Result<()>;
 
 const SCENES: [(&str, &str, Mark); 2] = [
     ("floor", "a floor of 2 triangles", circle),
@@ -51,44 +86,45 @@ const SCENES: [(&str, &str, Mark); 2] = [
 ];
 
 /// Draws the rows of the floor and the cube, and saves the picture as PNG.
-pub fn save(path: &Path, rows: &[Row]) -> Result<()> {
+pub fn save(path: &Path, rows: &[Row], theme: &Theme) -> Result<()> {
     // The font is part of this program, so that none must be installed.
     register_font(FONT, FontStyle::Normal, dejavu::sans::regular())
         .map_err(|_| "the font cannot be read")?;
     let (width, height) = SIZE;
     let mut bytes = vec![0; 3 * width as usize * height as usize];
     let paper = BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area();
-    paper.fill(&WHITE)?;
-    let (left, right) = paper.split_horizontally(CHART);
-    chart(&paper, &left, rows)?;
-    let (upper, lower) = right.split_vertically(VIEW);
-    view(&upper, rows, "affine", Affine)?;
-    view(&lower, rows, "newton", Newton::default())?;
+    paper.fill(&theme.paper)?;
+    let (upper, lower) = paper.split_vertically(CHART);
+    chart(&paper, &upper, rows, theme)?;
+    let (left, right) = lower.split_horizontally(WIDE - PART.2 * ZOOM);
+    view(&left, rows, "affine", Affine, theme)?;
+    view(&right, rows, "newton", Newton::default(), theme)?;
     paper.present()?;
-    drop((paper, left, right, upper, lower));
+    drop((paper, upper, lower, left, right));
 
     let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let mut encoder = png::Encoder::new(file, width, height);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::Fast);
+    encoder.set_compression(png::Compression::High);
     encoder.write_header()?.write_image_data(&bytes)?;
     Ok(())
 }
 
-/// The name of a mode in the picture, and its color. Color-blind readers can tell the colors of this palette, by Okabe
-/// and Ito, apart.
-fn style(mode: &str) -> (&str, RGBColor) {
+/// The name of a mode in the picture, and its color.
+fn style<'m>(mode: &'m str, theme: &Theme) -> (&'m str, RGBColor) {
+    let [exact, newton, fast, affine] = theme.modes;
     match mode {
-        "exact" => ("Exact", RGBColor(0, 114, 178)),
-        "newton" => ("Newton, the default", RGBColor(213, 94, 0)),
-        "fast" => ("Fast, within ¼ texel", RGBColor(0, 158, 115)),
-        "affine" => ("Affine", RGBColor(204, 121, 167)),
-        _ => (mode, RGBColor(230, 159, 0)),
+        "exact" => ("Exact", exact),
+        "newton" => ("Newton, the default", newton),
+        "fast" => ("Fast, within ¼ texel", fast),
+        "affine" => ("Affine", affine),
+        _ => (mode, theme.ink),
     }
 }
 
 /// Draws the errors over the costs.
-fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
+fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row], theme: &Theme) -> Result<()> {
+    let ink = theme.ink;
     let mut lines = Vec::new();
     for (scene, words, mark) in SCENES {
         // Modes without a cost are left out: `Newton::NARROW` draws these scenes as `Newton` does.
@@ -114,10 +150,9 @@ fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
     let decades = (largest * 1.2).log10().ceil() as i32;
 
     let mut chart = ChartBuilder::on(part)
-        .caption("What exact textures cost", TITLE.into_font().color(&INK))
         .margin(20)
-        .x_label_area_size(76)
-        .y_label_area_size(130)
+        .x_label_area_size(84)
+        .y_label_area_size(150)
         .build_cartesian_2d(
             // There is room for the words beside the outermost points.
             (cheapest * 0.6..dearest * 1.1)
@@ -129,11 +164,11 @@ fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
         )?;
     chart
         .configure_mesh()
-        .bold_line_style(GRID.stroke_width(2))
+        .bold_line_style(theme.grid.stroke_width(2))
         .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(2))
-        .label_style(LABEL.into_font().color(&INK))
-        .axis_desc_style(NAME.into_font().color(&INK))
+        .axis_style(ink.stroke_width(2))
+        .label_style(LABEL.into_font().color(&ink))
+        .axis_desc_style(NAME.into_font().color(&ink))
         .x_desc("millions of Cortex-M4 instructions a frame")
         .y_desc("largest error of a pixel, in texels")
         .x_label_formatter(&|&cost| tick(cost))
@@ -150,11 +185,11 @@ fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
 
     for (words, mark, points) in &lines {
         let line = points.iter().map(|(_, point)| *point);
-        chart.draw_series(LineSeries::new(line, THREAD.stroke_width(2)))?;
+        chart.draw_series(LineSeries::new(line, theme.thread.stroke_width(2)))?;
         for (mode, point) in points {
             let (x, y) = chart.backend_coord(point);
-            let (name, color) = style(mode);
-            mark(paper, (x, y), color)?;
+            let (name, color) = style(mode, theme);
+            mark(paper, (x, y), color, theme.paper)?;
             // The cube's points are to the left of the floor's points.
             let (side, x) = if words.contains("cube") && *mode != "exact" {
                 (HPos::Right, x - 18)
@@ -165,18 +200,18 @@ fn chart(paper: &Paper<'_>, part: &Paper<'_>, rows: &[Row]) -> Result<()> {
             paper.draw_text(name, &text.pos(Pos::new(side, VPos::Center)), (x, y))?;
         }
     }
-    let text = TextStyle::from(LABEL.into_font()).color(&INK);
+    let text = TextStyle::from(LABEL.into_font()).color(&ink);
     let text = text.pos(Pos::new(HPos::Left, VPos::Center));
-    for ((words, mark, _), y) in lines.iter().zip([90, 126]) {
-        mark(paper, (560, y), INK)?;
-        paper.draw_text(words, &text, (582, y))?;
+    for ((words, mark, _), y) in lines.iter().zip([46, 86]) {
+        mark(paper, (600, y), ink, theme.paper)?;
+        paper.draw_text(words, &text, (622, y))?;
     }
     // An arrow points into the corner where both axes are low.
-    let (x, y) = (172, 650);
+    let (x, y) = (192, 574);
     for end in [(x + 60, y - 36), (x + 4, y - 22), (x + 20, y + 2)] {
-        paper.draw(&PathElement::new([(x, y), end], INK.stroke_width(3)))?;
+        paper.draw(&PathElement::new([(x, y), end], ink.stroke_width(3)))?;
     }
-    let text = TextStyle::from(NAME.into_font()).color(&INK);
+    let text = TextStyle::from(NAME.into_font()).color(&ink);
     paper.draw_text("better", &text, (x + 70, y - 52))?;
     Ok(())
 }
@@ -191,20 +226,20 @@ fn tick(value: f64) -> String {
     }
 }
 
-fn circle(paper: &Paper<'_>, center: (i32, i32), color: RGBColor) -> Result<()> {
-    // A white rim separates overlapping marks.
-    paper.draw(&Circle::new(center, 10, WHITE.filled()))?;
+fn circle(paper: &Paper<'_>, center: (i32, i32), color: RGBColor, rim: RGBColor) -> Result<()> {
+    // A rim separates overlapping marks.
+    paper.draw(&Circle::new(center, 10, rim.filled()))?;
     Ok(paper.draw(&Circle::new(center, 8, color.filled()))?)
 }
 
-fn square(paper: &Paper<'_>, (x, y): (i32, i32), color: RGBColor) -> Result<()> {
+fn square(paper: &Paper<'_>, (x, y): (i32, i32), color: RGBColor, rim: RGBColor) -> Result<()> {
     let corners = [(-8, -8), (8, -8), (8, 8), (-8, 8), (-8, -8)].map(|(dx, dy)| (x + dx, y + dy));
     paper.draw(&Polygon::new(&corners[..4], color.filled()))?;
-    Ok(paper.draw(&PathElement::new(corners, WHITE.stroke_width(2)))?)
+    Ok(paper.draw(&PathElement::new(corners, rim.stroke_width(2)))?)
 }
 
 /// Draws a part of the floor below the name and the figures of its mode.
-fn view(paper: &Paper<'_>, rows: &[Row], name: &str, mode: impl Mode) -> Result<()> {
+fn view(paper: &Paper<'_>, rows: &[Row], name: &str, mode: impl Mode, theme: &Theme) -> Result<()> {
     let mut pixels = vec![Rgb565::CSS_LIGHT_STEEL_BLUE; (WIDTH * HEIGHT) as usize];
     let mut canvas = Canvas::new(&mut pixels, WIDTH, HEIGHT)?;
     let options = DrawOptions::new().with_mode(mode);
@@ -214,20 +249,21 @@ fn view(paper: &Paper<'_>, rows: &[Row], name: &str, mode: impl Mode) -> Result<
         .iter()
         .find(|row| (row.scene, row.mode) == ("floor", name));
     let row = row.ok_or("a view has no figures")?;
-    let (title, color) = style(name);
-    let words = format!(
-        "{title}: {:.2} million, {} texels",
-        row.cost()?,
-        digits(row.max, 1)
-    );
+    let (title, color) = style(name, theme);
+    let (cost, error) = (row.cost()?, digits(row.max, 1));
     let text = TextStyle::from(LABEL.into_font()).color(&color);
-    paper.draw_text(&words, &text, (0, 22))?;
+    paper.draw_text(title, &text, (0, 4))?;
+    paper.draw_text(
+        &format!("{cost:.2} million, {error} texels"),
+        &text,
+        (0, 40),
+    )?;
     let (left, top, width, height) = PART;
     for row in 0..height {
         for column in 0..width {
             let color = Rgb888::from(pixels[((top + row) * WIDTH + left + column) as usize]);
             let color = RGBColor(color.r(), color.g(), color.b());
-            let [x, y, side] = [column * ZOOM, 58 + row * ZOOM, ZOOM].map(u32::cast_signed);
+            let [x, y, side] = [column * ZOOM, WORDS + row * ZOOM, ZOOM].map(u32::cast_signed);
             let square = Rectangle::new([(x, y), (x + side, y + side)], color.filled());
             paper.draw(&square)?;
         }

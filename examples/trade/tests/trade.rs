@@ -128,16 +128,24 @@ fn scenes_are_measured_in_every_mode() {
 fn the_picture_shows_every_mode_and_scene() {
     let directory = run("picture", &["--picture", "trade.png"]);
     assert!(!directory.join("target").exists());
-    let pixels = pixels(&directory.join("trade.png"));
-    assert_eq!(pixels.len(), 1660 * 762);
-    let count = |color: [u8; 3]| pixels.iter().filter(|&&pixel| pixel == color).count();
-    for (mode, color) in [
-        ("exact", [0, 114, 178]),
-        ("newton", [213, 94, 0]),
-        ("fast", [0, 158, 115]),
-        ("affine", [204, 121, 167]),
-    ] {
-        // A disc with a radius of 8 pixels, and a square of 15 pixels inside its rim.
-        assert!(count(color) > 200 + 225, "{mode}: {}", count(color));
+    let light = [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167]];
+    let dark = [
+        [86, 180, 233],
+        [240, 140, 50],
+        [40, 190, 145],
+        [222, 150, 190],
+    ];
+    for (name, colors) in [("trade.png", light), ("trade-dark.png", dark)] {
+        let pixels = pixels(&directory.join(name));
+        assert_eq!(pixels.len(), 1000 * 1088);
+        let count = |color: [u8; 3]| pixels.iter().filter(|&&pixel| pixel == color).count();
+        for (mode, color) in ["exact", "newton", "fast", "affine"]
+            .into_iter()
+            .zip(colors)
+        {
+            // A disc with a radius of 8 pixels, and a square of 15 pixels inside its rim.
+            let count = count(color);
+            assert!(count > 200 + 225, "{name}, {mode}: {count}");
+        }
     }
 }
