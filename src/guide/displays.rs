@@ -32,18 +32,14 @@
 //! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) gives a rectangle around a mesh. This program
 //! uses the same window for all turns.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/window.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("window"))]
 //!
 #![doc = page_picture!(# "A round panel", "displays/", "round")]
 //! A round panel does not show the corners of the frame, which are a fifth of the frame. With bands of 16 rows, each as
 //! wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn nor sent. Bands
 //! of fewer rows leave out more pixels, but transform the mesh more often.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/round.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("round"))]
 //!
 #![doc = page_picture!(# "Electronic paper", "displays/", "epaper")]
 //! A full refresh of electronic paper flashes, and takes seconds. A quick refresh takes a third of a second, and drives
@@ -54,35 +50,27 @@
 //! Electronic paper also needs a full refresh now and then, to remove the traces of old pictures that quick refreshes
 //! leave. The panel's data sheet says how often.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/epaper.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("epaper"))]
 //!
 #![doc = page_picture!(# "An OLED without a second buffer", "displays/", "oled")]
 //! In its buffered mode, the driver keeps a frame of 1 KiB, and the canvas would have to be copied into this frame. In
 //! its basic mode, the driver accepts bytes in the panel's own format. [`Canvas::pages`](crate::Canvas::pages) makes
 //! these bytes: one byte for 8 rows of a column.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/oled.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("oled"))]
 //!
 #![doc = page_picture!(# "18 bits a pixel", "displays/", "ili9488")]
 //! On SPI, an ILI9488 does not accept 16 bits per pixel. A canvas of `Rgb888` in `BigEndian` bytes stores the three
 //! bytes per pixel that the panel expects, so a DMA channel can send them unchanged. The driver sets the panel up, and
 //! selects the area to write.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/ili9488.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("ili9488"))]
 //!
 #![doc = page_picture!(# "Words of 16 bits", "displays/", "ili9341")]
 //! Some drivers and buses accept words of 16 bits. A canvas in [`Words`](crate::canvas::Words) stores pixels as a slice
 //! of `u16`, which these drivers can send without conversion.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/ili9341.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("ili9341"))]
 //!
 #![doc = page_picture!(# "No tearing", "displays/", "tearing")]
 //! The panel reads its memory 60 times a second. If a frame arrives while the panel reads, the panel shows the upper
@@ -95,18 +83,14 @@
 //! The whole frame must be in memory, because drawing between bands would delay the frame. Panels read in the direction
 //! of their longer side, so this method does not prevent tearing on a rotated panel.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/tearing.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("tearing"))]
 //!
 #![doc = page_picture!(# "Two frames", "displays/", "frames")]
 //! While one buffer is sent, the next frame is drawn into the other buffer. Two frames of 240x240 pixels take 225 KiB.
 //! A Pico has too little RAM for two frames and everything else, but two frames fit into the PSRAM on many boards with
 //! an RP2350. Keep the depth buffer in fast memory, because drawing reads and writes each depth several times.
 //!
-//! ```ignore
-#![doc = include_str!("../../examples/cookbook/src/displays/frames.rs")]
-//! ```
+#![cfg_attr(not(doctest), doc = program!("frames"))]
 //!
 //! On a board with PSRAM, such as a Pimoroni Pico Plus 2, embassy-rp 0.10 provides the memory for the two frames:
 //!

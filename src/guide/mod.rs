@@ -23,14 +23,28 @@
 /// inside a hidden module. Without the module, the program would begin with `//!`. Rustdoc would then compile the
 /// program separately, which takes longer than together with the other programs.
 macro_rules! recipe {
-    ($title:literal, $name:literal $(, $attribute:literal)?) => {
+    ($title:literal, $name:literal) => {
         concat!(
             page_picture!(# $title, $name),
-            "```",
-            $($attribute,)?
-            "\n# mod scene {\n",
+            "```\n# mod scene {\n",
             include_str!(concat!("../../examples/cookbook/src/scenes/", $name, ".rs")),
             "# }\n```\n"
+        )
+    };
+}
+
+/// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it needs
+/// a driver. The package `cookbook` compiles and tests the program.
+macro_rules! program {
+    ($name:literal) => {
+        concat!(
+            "```\n",
+            include_str!(concat!(
+                "../../examples/cookbook/src/displays/",
+                $name,
+                ".rs"
+            )),
+            "```\n"
         )
     };
 }
@@ -51,8 +65,9 @@ pub mod coming_from {}
 
 #[doc = include_str!("cookbook.md")]
 #[doc = recipe!("Hello", "hello")]
-// Recipes marked `ignore` would not compile here, because they read files by paths relative to the recipe's folder.
-#[doc = recipe!("Files", "files", "ignore")]
+// Recipes without a test here would not compile here, because they read files by paths relative to the recipe's folder.
+// The package `cookbook` compiles and tests them, too.
+#[cfg_attr(not(doctest), doc = recipe!("Files", "files"))]
 #[doc = recipe!("Bands", "bands")]
 #[doc = recipe!("Two cores", "two_cores")]
 #[doc = recipe!("Lights", "lights")]
@@ -69,12 +84,12 @@ pub mod coming_from {}
 #[doc = recipe!("Smooth edges", "smooth")]
 #[doc = recipe!("A mirror", "mirror")]
 #[doc = recipe!("Painter's order", "painter")]
-#[doc = recipe!("Wireframe", "wireframe", "ignore")]
+#[cfg_attr(not(doctest), doc = recipe!("Wireframe", "wireframe"))]
 #[doc = recipe!("Points", "points")]
-#[doc = recipe!("Black and white", "packed", "ignore")]
-#[doc = recipe!("Panels", "panels", "ignore")]
-#[doc = recipe!("Materials", "materials", "ignore")]
-#[doc = recipe!("Normals", "normals", "ignore")]
+#[cfg_attr(not(doctest), doc = recipe!("Black and white", "packed"))]
+#[cfg_attr(not(doctest), doc = recipe!("Panels", "panels"))]
+#[cfg_attr(not(doctest), doc = recipe!("Materials", "materials"))]
+#[cfg_attr(not(doctest), doc = recipe!("Normals", "normals"))]
 #[doc = recipe!("Small meshes", "quantized")]
 #[doc = recipe!("Levels of detail", "detail")]
 #[doc = recipe!("Terrain", "terrain")]
