@@ -1,9 +1,9 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers only.
-//! Textures and colors are interpolated in correct perspective, and you supply the memory. The crate is `no_std` and
-//! uses no allocation and no `unsafe`. Programs built for Cortex-M0+, M3, M4, M23, M33 and RISC-V draw, in emulators,
-//! the same bits as your computer.
+//! Textures and colors are correct in perspective. Give it slices of your memory, and it draws there. The crate is
+//! `no_std`, and has no allocation and no `unsafe`. On emulated Cortex-M0+, M3, M4, M23, M33 and RISC-V cores, programs
+//! draw the same bits as on your computer.
 //!
 #![cfg_attr(
     all(doc, feature = "assets"),
@@ -18,7 +18,7 @@
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL, tgx,
 //! embedded-3dgfx or small3dlib, begin with [what differs from them](guide::coming_from). If you know linear algebra
 //! but no graphics, begin with the [mathematics](guide::mathematics). To work on the crate itself, begin with [the path
-//! of a pixel](#the-path-of-a-pixel), which lists the functions for the stages in the diagram above.
+//! of a pixel](#the-path-of-a-pixel): it names the functions behind the diagram above.
 //!
 //! # A picture
 //!
@@ -106,14 +106,13 @@
 //!
 //! # Promises
 //!
-//! 1. **No floating point, no allocation, no `unsafe`.** Floats appear only in constructors that accept them for
-//!    convenience, and an `f32` is converted by integers: [`Angle::try_from_radians`] shows the way from a sensor's
-//!    floats to an angle.
+//! 1. **No floating point, no allocation, no `unsafe`.** Only a few constructors accept floats, for convenience, and
+//!    they convert an `f32` by integers: for example, [`Angle::try_from_radians`] makes an angle of a sensor's float.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
-//! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse values that
-//!    cannot be drawn, with an [`Error`] that names the value and the bound. [`guide::limits`] gives the ranges in
-//!    which accuracy is promised, and says what happens beyond them.
+//! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse what cannot
+//!    be drawn, and return an [`Error`] that names the value and the limit. [`guide::limits`] gives the ranges in which
+//!    accuracy is promised, and says what happens beyond them.
 //! 4. **Watertight.** Triangles that share an edge cover each pixel center exactly once, even if they are clipped. A
 //!    center exactly on the edge belongs to the triangle on the right of the edge or, if the edge is level, to the
 //!    triangle below it: [the top-left rule](guide::mathematics::triangles#a-shared-edge).
@@ -172,22 +171,22 @@
 //! In this example, every band transforms the whole mesh again. If that takes too long, fill a [`DrawList`] once per
 //! frame with [`DrawList::prepare`], and let every band draw from the list with [`Canvas::draw_prepared`].
 //!
-//! For DMA, let the canvas store its pixels as the bytes that the bus needs. A `Canvas<Rgb565, BigEndian>` over
-//! `[[u8; 2]]` stores such bytes, and [`Canvas::as_bytes`] returns them. The [guide for firmware](guide::firmware)
-//! leads from `cargo new` to a picture on an SPI panel. It covers memory, bands, DMA, two cores and clocks.
+//! For DMA, let the canvas store bytes in the order of the bus: give a `Canvas<Rgb565, BigEndian>` a slice of `[u8;
+//! 2]`, and send the bytes that [`Canvas::as_bytes`] returns. The [guide for firmware](guide::firmware) leads from
+//! `cargo new` to a picture on an SPI panel, by way of memory, bands, DMA, two cores and clocks.
 //!
 //! # Speed against accuracy
 //!
-//! A [`Mode`](mode::Mode) is a type that decides how colors, texture coordinates and other varyings are interpolated.
-//! You choose the mode for each draw call. The [guide to modes](guide::modes) says which mode suits which scene and
-//! core, and derives the error bounds of the modes. The [benchmarks](guide::benchmarks) say what drawing costs. The
-//! [cookbook](guide::cookbook) contains small scenes that each show one idea.
+//! Each draw call has a [`Mode`](mode::Mode), which decides how exactly textures and colors follow perspective. The
+//! [guide to modes](guide::modes) says which mode suits which scene and core, and derives the error bounds. The
+//! [benchmarks](guide::benchmarks) say what drawing costs. The [cookbook](guide::cookbook) has small scenes that each
+//! show one idea.
 //!
 //! # Versions
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (such as 0.1.0 and 0.1.7) draw the same bits. Checksums in
 //!   the tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the
-//!   changelog says what differs. A bug that breaks a promise above is fixed immediately.
+//!   changelog says what differs. A bug that breaks a promise above is fixed at once.
 //! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
 //!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
@@ -195,8 +194,7 @@
 //!
 //! # The path of a pixel
 //!
-//! These functions carry out the stages in the diagram at the top of this page. Each function is listed below the
-//! function that calls it:
+//! These functions carry out the stages in the diagram at the top of this page. Each stands below its caller:
 //!
 //! ```text
 //! Canvas::draw_with                   options, a thing, its Mvp, a shader    pipeline/
@@ -217,8 +215,8 @@
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder. Two types are only examples: `Adapted`, which `.lit(light)` makes, represents any shader, and `Native` represents
-//! any storage. Between `Blit::draw` and its pixels runs one of four kernels, the loops over the pixels of a span:
+//! The column on the right names the folder. `Adapted`, which `.lit(light)` makes, stands for any shader, and `Native`
+//! for any storage. Between `Blit::draw` and its pixels runs a kernel, one of four loops over the pixels of a span:
 //! straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
 //!
 //! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,

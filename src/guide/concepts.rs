@@ -1,5 +1,5 @@
-//! The terms of this crate, in the order in which a program uses them: the arguments of a draw call, and what the call
-//! does with them.
+//! The terms of this crate, in the order in which a program meets them: what you give a draw call, and what the call
+//! does.
 //!
 //! 1. [The parts of a program](#the-parts-of-a-program)
 //! 2. [Numbers](#numbers)
@@ -16,9 +16,9 @@
 //!
 #![doc = include_str!("diagrams/pipeline.svg")]
 //!
-//! A draw call takes a mesh (the shape), a model-view-projection (the places of the shape and of the eye, and the angle
-//! of view) and a shader (the colors). It writes pixels to a canvas (your memory). Mesh, model-view-projection, shader
-//! and canvas are plain values that belong to your program. Between draw calls, only the canvas keeps state.
+//! Give a draw call a mesh (the shape), a model-view-projection (where the shape and the eye are, and the angle of
+//! view) and a shader (the colors). It writes pixels to a canvas (your memory). All four are plain values of your
+//! program. The canvas is the only state between draw calls.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -46,13 +46,12 @@
 //! }
 //! ```
 //!
-//! A constructor returns an [`Error`](crate::Error) if a value makes no sense; the error names the value and its bound.
+//! A constructor returns an [`Error`](crate::Error) if a value makes no sense; the error names the value and its limit.
 //! `draw` and `draw_with` cannot fail, so they return no error.
 //!
 //! # Numbers
 //!
-//! No drawing code uses floats. You write numbers in macros, which convert them to fixed point while your program is
-//! compiled:
+//! Drawing uses no floats. Write numbers in macros, and the compiler converts them to fixed point:
 //!
 //! | you write | you get | range, resolution |
 //! |---|---|---|
@@ -61,9 +60,9 @@
 //! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): two texture coordinates (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. If a float or an integer is known only when the program runs, convert
-//! it: `Scalar::try_from` makes a scalar, `TexCoord::try_from` makes one texture coordinate, `Vec3::try_from` makes a
-//! vector, and the constructors of [`Angle`](crate::Angle) make an angle.
+//! A literal beyond the range does not compile. Floats and integers that are known only when the program runs are
+//! converted by `Scalar::try_from`, `TexCoord::try_from` (one texture coordinate), `Vec3::try_from`, and the
+//! constructors of [`Angle`](crate::Angle):
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -92,13 +91,13 @@
 //! example, a meter for a garden, or a centimeter for a machine. [Limits](crate::guide::limits) gives the accuracy of
 //! the picture for each range.
 //!
-//! The page of [`num`](crate::num) says how the results of calculations are rounded.
+//! The page of [`num`](crate::num) says how each operation rounds.
 //!
 //! # Mesh
 //!
-//! A [`Mesh`](crate::Mesh) borrows positions and faces (the corners of triangles), and optionally texture coordinates,
-//! normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so it is stored in flash. A
-//! mesh that borrows your own slices can also be in flash:
+//! A [`Mesh`](crate::Mesh) borrows positions, faces (three positions for each triangle), and optionally texture
+//! coordinates, normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so it is in flash.
+//! So is a `static` mesh of your own slices:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -114,8 +113,8 @@
 //!
 #![doc = include_str!("diagrams/winding.svg")]
 //!
-//! If you see the inside of a model, the corners of its triangles are in clockwise order, seen from outside. Swap two
-//! corners of each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
+//! If you see the inside of a model, the corners of its triangles run clockwise, seen from outside. Swap two corners of
+//! each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
@@ -124,14 +123,14 @@
 //! - A [`Transform`](crate::Transform) places a model in the world. `a * b` applies `b` first.
 //! - A [`Camera`](crate::Camera) says where the eye is and where the eye looks. The camera moves and turns the world so
 //!   that the eye is at the origin and looks along −z.
-//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. A
-//!   draw call draws only surfaces between these planes. [`perspective`](crate::Projection::perspective) takes the
-//!   vertical angle of view, from the bottom of the picture to its top.
+//! - A [`Projection`](crate::Projection) sets the angle of view, and the distances of the near and the far plane. Only
+//!   surfaces between these planes are drawn. [`perspective`](crate::Projection::perspective) takes the vertical angle
+//!   of view, from the bottom of the picture to its top.
 //!
 #![doc = include_str!("diagrams/eye.svg")]
 //!
 //! The product of projection, camera and model transform is the [`Mvp`](crate::Mvp), the model-view-projection. Read
-//! this product from right to left, in the order in which its factors transform a point: `projection * camera * model`.
+//! `projection * camera * model` from right to left: a point first goes through the model's transform.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -153,10 +152,9 @@
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
 //! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
 //! The pixels of a texture are called texels. Methods such as `lit`, `in_fog` and `map` wrap a surface in an adapter
-//! that changes the surface's colors. You can use any number of adapters. Each adapter changes the color that the
-//! adapter before it made, so apply light before fog. The module [`shade`](crate::shade) lists all surfaces and
-//! adapters. The compiler turns a surface with all of its adapters into one loop, and the program contains only the
-//! shaders that you name.
+//! that changes its colors. Stack as many adapters as you need. Each changes the color that the one before it made, so
+//! apply light before fog. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler fuses a
+//! surface and its adapters into one loop. Shaders that you do not name add no code.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -179,9 +177,9 @@
 //!
 //! # Options
 //!
-//! [`Canvas::draw`](crate::Canvas::draw) culls back faces (it leaves them out), tests depth, interpolates in correct
-//! perspective, and replaces the colors on the canvas. [`draw_with`](crate::Canvas::draw_with) takes
-//! [`DrawOptions`](crate::DrawOptions) that change these settings for one call:
+//! [`Canvas::draw`](crate::Canvas::draw) leaves out back faces (culling), tests depth, interpolates in correct
+//! perspective, and replaces the colors on the canvas. For other settings, give [`draw_with`](crate::Canvas::draw_with)
+//! your own [`DrawOptions`](crate::DrawOptions):
 //!
 //! ```
 //! use fixel::mode::Fast;
@@ -198,21 +196,20 @@
 //! assert_eq!(walls.cull, Cull::Back);
 //! ```
 //!
-//! A *mode* is the method that interpolates textures and colors; [Choosing a mode](crate::guide::modes) compares the
-//! modes. Modes, depth tests and blendings are types, so a program contains only those that it names. Culling and
-//! viewport are values.
+//! A *mode* decides how exactly textures and colors follow perspective: see [Choosing a mode](crate::guide::modes).
+//! Modes, depth tests and blendings are types: those that you do not name add no code. Culling and viewport are values.
 //!
 //! # Canvas
 //!
-//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. If the
-//! memory is a slice of colors, the canvas stores each color unchanged. If the memory is a slice of arrays, such as
-//! `[u8; 2]`, the canvas stores the bytes of each color in the order that the display expects. A canvas is only a few
-//! references and numbers, so you can make a new canvas for each frame.
+//! A [`Canvas`](crate::Canvas) is a picture in your memory: its size, its colors, and optionally a depth buffer. Give
+//! it a slice of colors, and it stores colors unchanged. Give it a slice of arrays, such as `[u8; 2]`, and it stores
+//! the bytes of each color in the order that the display expects. A canvas is only a few references and numbers, so you
+//! can make a new one for each frame.
 //!
 //! A canvas is a `DrawTarget`, so embedded-graphics can draw text and shapes over the picture.
 //! [`show`](crate::Canvas::show) copies the picture to another `DrawTarget`. [`as_bytes`](crate::Canvas::as_bytes)
-//! returns the bytes of the picture for a DMA channel. For a display with several pixels in a byte,
-//! [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs the pixels.
+//! returns the bytes of the picture for a DMA channel. If your display has several pixels in a byte,
+//! [`show`](crate::Canvas::show) or [`pages`](crate::Canvas::pages) packs them.
 //!
 //! # Depth
 //!
@@ -221,23 +218,23 @@
 //!
 #![doc = include_str!("diagrams/depth.svg")]
 //!
-//! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 possible depths stand for distances
-//! between the near plane and twice the near plane's distance, and few are left for distant surfaces. Therefore:
+//! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 depths are for surfaces between the
+//! near plane and twice its distance; few are left for distant surfaces. Therefore:
 //!
 //! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away.**
-//! Then the nearer of two surfaces hides the other one wherever their distances from the eye differ by 1 %. If the near
-//! plane is too close, hidden surfaces shine through distant ones, and no error says so: with the planes at 0.01 and
-//! 100, a square at a distance of 90 does not hide a square 3 units behind it that is drawn later. If a scene needs a
-//! greater ratio, draw it with [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format), in the same memory:
-//! this format is good for a ratio of 65,536. But a frame then takes up to a third more instructions, and in modes
-//! [`Fast`](crate::mode::Fast) and [`Affine`](crate::mode::Affine) on a Cortex-M0+ up to four fifths more.
+//! Then the nearer of two surfaces hides the other wherever their distances from the eye differ by 1 %. If the near
+//! plane is too close, distant surfaces show through those in front of them, and no error says so: with the planes at
+//! 0.01 and 100, a square at a distance of 90 does not hide a square that is 3 units behind it and drawn later. For a
+//! ratio of up to 65,536, use [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format). It takes the same
+//! memory, but a frame takes up to a third more instructions (in modes [`Fast`](crate::mode::Fast) and
+//! [`Affine`](crate::mode::Affine) on a Cortex-M0+, up to four fifths more).
 //!
-//! The number 500 leaves some room: [the step of depth](crate::guide::mathematics::pixels#a-depth-step) reaches 1 % of
-//! the distance at 655 times the near plane's distance. The far plane does not change the stored depths. It only clips
-//! surfaces that are too far away for the depth buffer.
+//! 500 leaves some room: [the step between two depths](crate::guide::mathematics::pixels#a-depth-step) grows to 1 % of
+//! the distance only at 655 times the near plane's distance. The far plane changes no stored depth: it only cuts off
+//! what lies beyond it.
 //!
-//! A scene without a depth buffer must be drawn from back to front. A [`DrawList`](crate::DrawList) holds transformed
-//! triangles, and can sort them in this order.
+//! Without a depth buffer, draw the scene from back to front. A [`DrawList`](crate::DrawList) can sort its triangles in
+//! this order.
 //!
 //! # Band
 //!
@@ -274,14 +271,14 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Together, the bands give the same picture as the whole frame, bit for bit. Every draw call transforms its mesh again
-//! in every band. If that takes too long, use a [`DrawList`](crate::DrawList), which transforms the mesh once per
-//! frame. The program in [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
+//! Together, the bands give the same picture as the whole frame, bit for bit. But each band transforms the whole mesh
+//! again. If that takes too long, use a [`DrawList`](crate::DrawList), which transforms the mesh once per frame. The
+//! program in [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong
 //!
 //! A draw call returns [`Drawn`](crate::Drawn), which says what became of the triangles, and what the mesh lacks. Print
-//! this value first:
+//! it first:
 //!
 //! | what you see | what to check |
 //! |---|---|
