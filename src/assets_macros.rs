@@ -29,7 +29,7 @@
 /// |---|---|
 /// | `quantized` | [positions of 16 bits](crate::mesh#less-flash) |
 /// | `quantized_16`, `quantized_8` | the same, with [normals of 8 bits and texture coordinates of 16 or 8](crate::mesh#less-flash) |
-/// | `normals` | normals for corners that have none: the mean of the normals, weighted by area, of the faces around the point that meet the corner's face at 60 degrees or less. If an OBJ file puts the corner's face into a smoothing group, the mean is over the faces of that group; if it switches smoothing off, the normal is the face's own |
+/// | `normals` | normals for corners that have none. Each is the mean of the faces' normals around the point, weighted by area. Faces that meet the corner's face at more than 60 degrees do not count. In an OBJ file, the faces of the same smoothing group count instead; with smoothing switched off, only the face itself |
 /// | `uvs` | texture coordinates for triangles that have none: each triangle is projected to the side of the model's bounding box that it faces most |
 /// | `object = "name"` | only the faces of the object with this name: a glTF mesh, or an OBJ object or group |
 /// | `part = "name"` | only the faces of the material with this name |
@@ -38,14 +38,14 @@
 /// | `scale = 0.01` | positions are multiplied by this number |
 /// | `up = z` | z points up in the file; the model is turned so that y points up. `up = z` is the default for STL, and `up = y` for other formats |
 ///
-/// If another order of faces and positions takes less time to draw, the mesh gets that order. Faces stay in the part of
-/// their material, and faces that are not opaque keep their order. Files with the same faces get the same order, so they
-/// can be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the
-/// nearest [`Scalar`](crate::Scalar), and texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has at
-/// most 65,536 positions. Polygons, including concave ones, are cut into triangles; [`Mesh::edges`](crate::Mesh::edges)
-/// are the sides of the polygons. The colors of vertices are interpolated as sRGB. If only some corners have texture
-/// coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners without a normal get the normal of
-/// their triangle.
+/// The macro reorders faces and positions if the mesh then takes less time to draw. Faces stay in the part of their
+/// material, and faces that are not opaque keep their order. Files with the same faces get the same order, so they can
+/// be [`Keyframes`](crate::mesh::Keyframes). Positions that no face uses are left out. Positions are rounded to the
+/// nearest [`Scalar`](crate::Scalar), and texture coordinates to the nearest [`TexCoord`](crate::TexCoord). A mesh has
+/// at most 65,536 positions. Polygons, including concave ones, are cut into triangles;
+/// [`Mesh::edges`](crate::Mesh::edges) are the sides of the polygons. The colors of vertices are interpolated as sRGB.
+/// If only some corners have texture coordinates, and there is no option `uvs`, all other corners get (0, 0). Corners
+/// without a normal get the normal of their triangle.
 ///
 /// ```compile_fail
 /// use fixel::prelude::*;
@@ -107,9 +107,9 @@ macro_rules! include_materials {
 /// assert!(EDGES.creases() > 0);
 /// ```
 ///
-/// The options `object`, `part`, `file_order`, `center`, `scale` and `up` are the same as for the mesh. The option `crease` is an angle
-/// in degrees, from 0 to 180, and 30 by default. An edge is a crease if its two faces meet at more than this angle; 30 to
-/// 45 degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
+/// The options `object`, `part`, `file_order`, `center`, `scale` and `up` are the same as for the mesh. An edge is a
+/// crease if its two faces meet at more than the angle `crease`, in degrees from 0 to 180 (by default, 30). 30 to 45
+/// degrees suit most models. [`Outline::build`](crate::mesh::Outline::build) describes which edges are found.
 #[macro_export]
 macro_rules! include_outline {
     ($($input:tt)*) => {
@@ -154,7 +154,7 @@ macro_rules! include_outline {
 /// | `size = "256x256"` | the picture is resampled to this size; width and height must be powers of two, at most 32,768 |
 /// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first; with `rgb565_le`, the low byte comes first |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
-/// | `image = 1` | which picture of a model, counted from 0; a picture of a surface and the light that it sends out comes after the file's own pictures |
+/// | `image = 1` | which picture of a model, counted from 0. If a surface sends out light by a texture of its own, one picture has both its textures; these pictures come after the file's own |
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
 /// `#![allow(long_running_const_eval)]` at the top of the program. An array must have the size of the picture. The

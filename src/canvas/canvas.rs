@@ -19,7 +19,7 @@ use crate::view::Viewport;
 /// Largest width and height of a frame, in pixels.
 const MAX_SIZE: u32 = 2048;
 
-/// The pixels of a frame, or of a horizontal band of a frame, in memory that belongs to the caller.
+/// Your memory as a picture: a frame, or a band of a frame (some of its rows), that draw calls write to.
 ///
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/band.svg"))]
 ///
@@ -93,10 +93,10 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
 
     /// A canvas of `width` x `height` pixels, row by row from the top.
     ///
-    /// If `pixels` is a slice of colors, the canvas stores colors unchanged. If `pixels` is a slice of byte arrays, the
-    /// canvas stores bytes, and the canvas's type must name the color and the byte order: `Canvas<Rgb565, BigEndian>`
-    /// stores `[u8; 2]`. Most displays expect the most significant byte first. `bytes.as_chunks_mut().0` views a slice
-    /// of bytes as byte arrays.
+    /// Give it a slice of colors, and the canvas stores colors unchanged. Give it a slice of byte arrays, and the
+    /// canvas stores bytes; then write out the color and the byte order: `Canvas::<Rgb565, BigEndian>::new` takes a
+    /// slice of `[u8; 2]`. Most displays expect the most significant byte first. `bytes.as_chunks_mut().0` views a
+    /// slice of bytes as byte arrays.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
@@ -216,7 +216,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Size::new(self.width, self.height)
     }
 
-    /// The viewport of the whole frame, to which draw calls project unless their options name another viewport. Ask it
+    /// The viewport of the whole frame. Draw calls project to it unless their options name another one. It also tells
     /// where points and meshes are on the screen: see [`Viewport::project`].
     #[must_use]
     pub const fn viewport(&self) -> Viewport {
@@ -245,7 +245,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         self.cells
     }
 
-    /// The pixels of a canvas of bytes, in the order in which a bus sends them. The result is a view, not a copy.
+    /// The bytes of the pixels, in the order in which a bus sends them, for a canvas that stores bytes. Nothing is
+    /// copied.
     #[must_use]
     pub const fn as_bytes<const N: usize>(&self) -> &[u8]
     where

@@ -126,13 +126,16 @@ depth_tests! {
         /// let glass = DrawOptions::new().with_depth_test(TestOnly);
         /// ```
         TestOnly at_least true false;
-        /// Draws a pixel if it is nearer than the stored depth by more than three units, and stores its depth.
+        /// Draws a pixel if it is nearer than the stored depth by more than three units of the stored depth, and stores
+        /// its depth: for shadows.
         ///
-        /// Of several faces in one plane, only the first is drawn at each pixel. So a shadow of many faces, drawn with
-        /// [`Multiply`](super::Multiply) or [`Opacity`](super::Opacity), darkens each pixel once. The units are those of the
-        /// stored depth. Depths in one plane differ by up to three units where the depth changes by at most 256 units
-        /// from pixel to pixel: a corner is rounded by 1/512 pixel along each axis, which moves depths by one unit, and
-        /// depths are rounded down. [`Biased::coplanar`] moves the shadow in front of the ground.
+        /// If several faces lie in one plane, each pixel shows only the first of them. So a shadow of many faces, drawn
+        /// with [`Multiply`](super::Multiply) or [`Opacity`](super::Opacity), darkens each pixel once.
+        /// [`Biased::coplanar`] moves the shadow in front of the ground.
+        ///
+        /// Why three units: rounding makes depths in one plane differ by up to three, where the depth changes by at
+        /// most 256 units from pixel to pixel. (A corner is rounded by 1/512 pixel along each axis, which moves depths
+        /// by one unit, and depths are rounded down.)
         ///
         /// ```
         /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -219,7 +222,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// How far depths also move toward the eye, in multiples of the depth difference between neighboring pixels.
+    /// How much farther depths move toward the eye on a slope: this number times the depth difference between
+    /// neighboring pixels.
     pub slope: Scalar,
 }
 
@@ -237,8 +241,8 @@ pub struct Bias {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` units of the stored depth and by `slope` times the depth difference between
-    /// neighboring pixels. Of the differences to the next pixel in the row and to the next pixel in the column, the
-    /// greater difference counts. Positive values move a surface nearer. Depths saturate at both ends.
+    /// neighboring pixels. (The greater difference counts: to the next pixel in the row, or in the column.) Positive
+    /// values move a surface nearer. Depths saturate at both ends.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
     /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be

@@ -30,12 +30,12 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// Shows a gray canvas on a display with fewer grays by error diffusion, in one call of
     /// [`fill_contiguous`](DrawTarget::fill_contiguous).
     ///
-    /// Each pixel gets the nearest gray that the display has. The difference between the wanted gray and this gray is
-    /// at most half a step of the display's grays. It is added to later pixels: 7/16 to the pixel on the right; 3/16,
-    /// 5/16 and 1/16 to the pixels below on the left, directly below, and below on the right. At the left and right
-    /// sides of the frame, the parts for pixels outside are added to the pixel directly below. The mean brightness
-    /// therefore stays the same, except where it would exceed white or fall below black. Details are finer than with
-    /// ordered dithering, but if the picture moves, they change from frame to frame.
+    /// Each pixel gets the display's nearest gray. Later pixels make up for the difference, which is at most half a
+    /// step of the display's grays: 7/16 of it are added to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels
+    /// below on the left, directly below, and below on the right. At the left and right sides of the frame, the pixel
+    /// directly below also gets the parts for pixels outside. The mean brightness therefore stays the same, except
+    /// where it would exceed white or fall below black. Details are finer than with ordered dithering, but if the
+    /// picture moves, they change from frame to frame.
     ///
     /// Bands that are shown from top to bottom give the same picture as the whole frame. The display may be another
     /// canvas that holds the whole frame or the same rows. The display must consume every color that is sent to it.

@@ -2,9 +2,8 @@
 //!
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. The compiler
-//! infers these types from the memory that the canvas is given. The program must name the color and the storage only
-//! for a canvas of words or bytes. Each draw call chooses how it uses the depth buffer, and how its colors are blended
-//! with the colors on the canvas.
+//! infers these types from your slices. Write them out only if the canvas stores words or bytes. Each draw call chooses
+//! how it uses the depth buffer, and how its colors are blended with the colors on the canvas.
 //!
 //! | choice | types |
 //! |---|---|

@@ -12,7 +12,7 @@ use crate::num::wide::product;
 /// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///
 /// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. If keyframes are a
-/// `static`, they are checked at compile time. Of the second mesh, the flash then holds only the positions and normals.
+/// `static`, the compiler checks them, and the flash holds only the positions and normals of the second mesh.
 ///
 /// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: at a
 /// time of 3.25 steps, `STEPS[3].blend(fx!(0.25), …)`.

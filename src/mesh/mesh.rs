@@ -9,15 +9,15 @@ use crate::error::{Error, check_count, check_length, ok};
 use crate::math::{Vec2, Vec3};
 use crate::message;
 
-/// A triangle mesh that borrows slices of the caller: positions and faces, and optionally texture coordinates, normals,
-/// colors and edges.
+/// A triangle mesh that borrows your slices: positions and faces, and optionally texture coordinates, normals, colors
+/// and edges.
 ///
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/winding.svg"))]
 ///
-/// Texture coordinates, normals and colors are attributes. An attribute uses the indices of the positions, unless the
-/// attribute has `faces` (three indices per triangle) of its own. With its own `faces`, a position may have a different
-/// value in each triangle, as in an OBJ file; a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The
-/// corners of a front face run counter-clockwise as seen by the viewer.
+/// Texture coordinates, normals and colors are attributes. An attribute has one value per position, or `faces` of its
+/// own: three indices per triangle, as in an OBJ file. A position may then have another value in each triangle, and a
+/// corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The corners of a front face run counter-clockwise
+/// as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///

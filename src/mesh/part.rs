@@ -36,10 +36,9 @@ pub struct Material<'a> {
     pub emission: Rgb888,
     /// Whether faces are seen from behind, too.
     pub two_sided: bool,
-    /// Whether the texels at the texture's edges continue beyond these edges, along u and along v; otherwise, the
-    /// texture repeats.
+    /// Whether the texture's edge continues beyond it, along u and along v; otherwise, the texture repeats.
     pub clamp: [bool; 2],
-    /// Whether the surface has its own colors in every light. Draw it without [`lit`](crate::Shader::lit).
+    /// Whether lights do not change the surface's colors. If so, draw it without [`lit`](crate::Shader::lit).
     pub unlit: bool,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Placement<'a> {
 /// What a draw call asked for but the mesh lacks; the draw call returns this value.
 ///
 /// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white; without edges,
-/// [`Mesh::edges`] draws nothing. None of this is an error, because all may be intended.
+/// [`Mesh::edges`] draws nothing. None of this is an error, because each may be intended.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -60,11 +60,10 @@ use crate::num::{Angle, Scalar, TexCoord};
 ///
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
 /// have no backs. A sprite with neither an [axis](Self::with_axis) nor an [angle](Self::with_angles) is an upright
-/// rectangle on the screen. Such a rectangle is drawn as one primitive, which costs less than two triangles. However,
-/// two triangles are drawn if the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as
-/// with mipmaps), or if a varying (a number that the shader interpolates) changes both across and down, as the light of
-/// a lamp does. The single primitive has the same pixels and depths as the two triangles, and its varyings are as
-/// accurate.
+/// rectangle on the screen. It is drawn as a single rectangle, which costs less and gives the same pixels and depths,
+/// and varyings (the numbers that the shader interpolates) that are as accurate. Three exceptions take the two
+/// triangles: a clipped rectangle, a shader with [values per face](crate::shade::PerFace) (as with mipmaps), and a
+/// varying that changes both across and down, as the light of a lamp does.
 ///
 /// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
 /// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
@@ -328,8 +327,7 @@ impl<'a, A: Copy> Sprites<'a, A> {
     }
 
     /// Divides the texture into a grid of columns and rows, and shows one cell of this grid, a frame, on each sprite.
-    /// Frames are counted from 0 at the top left, row by row. A number beyond the last frame starts again at the first
-    /// frame.
+    /// Frames are counted from 0 at the top left, row by row. Numbers wrap: after the last frame comes the first.
     ///
     /// # Errors
     ///

@@ -19,8 +19,8 @@ use floats::{Real, Unit};
 /// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) makes an angle from a
 /// literal in degrees.
 ///
-/// A [`Scalar`] or a [`Fraction`] multiplies the angle as a number from 0 to below 360°. The product is rounded to the
-/// nearest unit, halves up, and whole turns are dropped. A gauge can sweep more than half a turn:
+/// In a product with a [`Scalar`] or a [`Fraction`], the angle counts as 0 to below 360°, so a gauge can sweep more
+/// than half a turn. The product is rounded to the nearest unit, halves up, and whole turns are dropped:
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -30,8 +30,8 @@ use floats::{Real, Unit};
 /// assert_eq!(needle(fx!(1)), deg!(-45));
 /// ```
 ///
-/// Half of −90° is therefore half of 270°, 135°. For a negative sweep, subtract the product, or multiply by a negative
-/// number. A sweep of a whole turn is `Angle::from_turns(value)`, because `deg!(360)` is 0.
+/// So half of −90° is half of 270°: 135°. For a negative sweep, subtract the product, or multiply by a negative number.
+/// A sweep of a whole turn is `Angle::from_turns(value)`, because `deg!(360)` is 0.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -221,8 +221,8 @@ impl Angle {
     /// counts as the `f64` nearest to 2π radians. This adds an error of 4e-17 times the float, so the angle is accurate to
     /// one unit for up to ten million radians.
     ///
-    /// A program without the standard library can compute with floats by the crate [`micromath`], if errors of 1e-3 are
-    /// small enough. The library itself computes with integers.
+    /// Without the standard library, the crate [`micromath`] computes with floats, if errors of 1e-3 are small enough.
+    /// fixel itself uses only integers.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -39,7 +39,7 @@
 //! Division by zero saturates by the sign of the dividend; 0/0 is 0. Sums of products accumulate in 64 bits and are
 //! rounded once, to nearest; a function that rounds differently says so.
 //!
-//! A product or a quotient has the type of its value. A factor can be on either side.
+//! A product or a quotient has the type in the first column. A factor can be on either side.
 //!
 //! | value | factors | divisors |
 //! |---|---|---|

@@ -42,7 +42,7 @@ use thing::Target;
 
 /// The result of a draw call: how many triangles, edges or points there were, and what became of them.
 ///
-/// Each of them was drawn, culled or [outside](Self::outside) the view. So if you see nothing, print this value:
+/// Each of them was drawn, culled or [outside](Self::outside) the view. If you see nothing, print this value:
 ///
 /// | if all are | then |
 /// |---|---|
@@ -50,9 +50,11 @@ use thing::Target;
 /// | outside | the mesh is behind the eye, nearer than the near plane, beyond the far plane or beside the picture |
 /// | drawn | nearer depths hide them (is the depth buffer cleared in each frame?), or they have the background's color |
 ///
-/// If the [bounds](crate::Mesh::with_bounds) of a mesh are known and out of view, then all are outside.
+/// If the [bounds](crate::Mesh::with_bounds) of a mesh are known and out of view, all of its triangles count as
+/// outside.
 ///
-/// If there were none, then the mesh has no faces. If there were no edges, [`missing`](Self::missing) says so.
+/// If [`submitted`](Self::submitted) is 0, the mesh has no faces, or, for lines, no edges: [`missing`](Self::missing)
+/// then says so.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -132,8 +134,8 @@ impl AddAssign for Drawn {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Projects a thing with `mvp` to the whole frame, and draws the part of it that is in this canvas. Back faces are
-    /// culled, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
+    /// Draws a thing: `mvp` projects it to the whole frame, and this canvas gets the part in its rows. Back faces are
+    /// left out, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
     /// perspective.
     ///
     /// | `thing` | is drawn as |

@@ -20,35 +20,36 @@ use crate::shade::PixelFormat;
 use crate::view::{AsMvp, ProjectionKind};
 
 impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Smooths the silhouette of a mesh, and its creases, in a picture that is already drawn. Call it last, once for each
-    /// mesh, with the `options` and the `mvp` that drew the mesh.
+    /// Smooths the silhouette of a mesh, and its creases, in a picture that is already drawn. Call it last, once for
+    /// each mesh, with the `options` and the `mvp` that drew the mesh.
     ///
     #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
-    /// Where an edge of the outline passes between the centers of two neighboring pixels, each of the two colors is mixed
-    /// with the other, by the [share of the pixel](crate::guide::mathematics::coverage) that lies on the other side of the
-    /// edge. So the shape neither grows nor shrinks. Shaders are not called again: the colors on the canvas are mixed,
-    /// whatever drew them. Edges behind other surfaces are left out if the canvas has a depth buffer. The result counts
+    /// Where an edge of the outline passes between the centers of two neighboring pixels, it mixes the two colors: each
+    /// pixel gets the other's color for the [share of the pixel](crate::guide::mathematics::coverage) that lies beyond
+    /// the edge. So the shape neither grows nor shrinks. It mixes the colors on the canvas, whatever drew them, and
+    /// calls no shader. If the canvas has a depth buffer, it leaves out edges behind other surfaces. The result counts
     /// edges, as if [`mesh.outline`](Mesh::outline) were drawn.
     ///
-    /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in color
-    /// where they meet, such as the sides of a lit box. Where both pass between the same two pixels, the silhouette counts.
+    /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in
+    /// color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between the same two
+    /// pixels, the silhouette counts.
     ///
-    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with a mean of 64
-    /// samples a pixel, the error beside edges falls by 60 to 90 %; it falls least where faces are smaller than a pixel.
-    /// On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
+    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Beside edges, smoothing
+    /// removes 60 to 90 % of the error (against the mean of 64 samples a pixel), and least where faces are smaller than
+    /// a pixel. On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
     ///
     /// Formats with at most 4 bits per channel are dithered. In black and white this shows little, so draw and smooth a
     /// canvas of `Gray8`, and dither it when it is shown ([`show_with`](Self::show_with),
     /// [`show_diffused`](Canvas::show_diffused)).
     ///
-    /// Each pixel is mixed once. To mark it, its depth becomes the nearest one, so draw nothing with a depth test after
-    /// it, except after [`clear_depth`](Self::clear_depth). Without a depth buffer, a pixel at a corner may be mixed
-    /// twice.
+    /// Each pixel is mixed once: a mixed pixel gets the nearest depth as a mark. So draw nothing with a depth test
+    /// afterwards, unless you call [`clear_depth`](Self::clear_depth) first. Without a depth buffer, a pixel at a
+    /// corner may be mixed twice.
     ///
-    /// A pixel needs its neighbors, so at the borders of the viewport, edges may keep their stairs. The same is true of
-    /// the top and bottom row of a [band](Self::band), unless bands overlap: let each band reach one row further up and
-    /// down than the rows that are shown. Then bands have the same bits as the whole frame, if the canvas has a depth
-    /// buffer. For many bands, [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
+    /// A pixel needs its neighbors, so edges may keep their stairs at the borders of the viewport, and in the top and
+    /// bottom row of a [band](Self::band). To prevent this in bands, let each reach one row further up and down than
+    /// the rows that are shown. With a depth buffer, bands then have the same bits as the whole frame. For many bands,
+    /// [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};

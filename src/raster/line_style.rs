@@ -8,16 +8,16 @@ use crate::num::Scalar;
 /// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// The longer axis of a line is the axis, x or y, along which the line extends farther. For each pixel center that the
-/// line passes along its longer axis, a run of pixels is drawn across that axis: the pixels whose centers are at most
-/// half the width away from the line. A center exactly on the upper or left end of the run does not belong to it; a
-/// center on the lower or right end does. So a line of width n has n pixels in each run. A center at the left end of a
-/// line (in steep lines, the upper end) belongs to the line; a center at the right end (in steep lines, the lower end)
-/// does not. The pixels do not depend on the line's direction.
+/// A line advances along its longer axis: x or y, whichever it extends farther along. At each pixel center that it
+/// passes, it draws a run of pixels across that axis: the pixels whose centers are at most half the width away from the
+/// line. A center exactly on the upper or left end of a run does not belong to it; a center on the lower or right end
+/// does. So a line of width n has n pixels in each run. A center at the left end of a line (in steep lines, the upper
+/// end) belongs to the line; a center at the right end (in steep lines, the lower end) does not. A line has the same
+/// pixels in both directions.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
-/// colors are [blended](crate::DrawOptions::with_blending) or translucent, a hairline draws the pixel at an end only if
-/// the line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
+/// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws the pixel at an end only if the
+/// line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.

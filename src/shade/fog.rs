@@ -14,8 +14,8 @@ use crate::num::Scalar;
 use crate::num::wide::clamp_negative;
 use crate::sealed::Sealed;
 
-/// Fog that hides distant surfaces. It has a color, and a density that says how much of a surface remains visible at
-/// each distance; see [`Shader::in_fog`](super::Shader::in_fog).
+/// Fog that hides distant surfaces; see [`Shader::in_fog`](super::Shader::in_fog). It has a color, and a density: how
+/// much of a surface remains visible at each distance.
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
 /// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)

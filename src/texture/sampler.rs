@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::error::ok;
 use crate::message;
 
-/// Gives texels by column and row. The texels repeat in both directions.
+/// A source of texels, by column and row. The texels repeat in both directions.
 ///
 /// Width and height are powers of two.
 ///

@@ -107,9 +107,8 @@ impl ProjectionRow {
 ///
 /// [Mathematics](crate::guide::mathematics::projection#a-matrix) derives the matrix from similar triangles.
 ///
-/// The matrix's coefficients have 30 significant bits, whatever their size. Exception: if a coordinate of the picture
-/// depends on x (or y) and on z, only the larger of the two coefficients has 30 significant bits, and the smaller one
-/// can have fewer.
+/// The coefficients of the matrix have 30 significant bits, whatever their size. Exception: where x or y of the picture
+/// also depends on z (an off-center window, an oblique projection), the smaller of the two coefficients can have fewer.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -92,13 +92,13 @@ impl Shape<'static> {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// The sphere has `slices` sides around the axis, which start at +z and continue toward +x, and `stacks` rows from
-    /// the upper pole to the lower. The texture wraps around the sphere once.
+    /// It has `slices` sides around the axis, starting at +z toward +x, and `stacks` rows from the upper pole to the
+    /// lower. The texture wraps around the sphere once.
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] if there are fewer than 3 slices or 2 stacks; [`Error::Count`] if the (`slices` + 1)(`stacks`
-    /// + 1) positions are more than 65,536.
+    /// [`Error::Count`] if there are fewer than 3 slices or 2 stacks, or if the (`slices` + 1)(`stacks` + 1) positions
+    /// are more than 65,536.
     pub const fn sphere(slices: u32, stacks: u32) -> Result<Self, Error> {
         let checks = [parts("slices", slices, 3), parts("stacks", stacks, 2)];
         Self::of(Surface::Sphere, [slices, stacks], &checks)

@@ -82,8 +82,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// The result is such a function, too, but its shaders use the computed values: draw with them in each band. If
-    /// there are no materials, call it with `&()`. If you draw anything else with these shaders, they compute their
+    /// Returns a function like `shader_of`, whose shaders use the stored values: draw with these shaders in each band.
+    /// If there are no materials, call the function with `&()`. Drawn on anything else, these shaders compute their
     /// values as usual.
     ///
     /// # Errors
