@@ -241,14 +241,13 @@ pub struct Bias {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` units of the stored depth and by `slope` times the depth difference between
-    /// neighboring pixels. (The greater difference counts: to the next pixel in the row, or in the column.) Positive
-    /// values move a surface nearer. Depths saturate at both ends.
+    /// neighboring pixels. (This is the greater of two differences: to the next pixel in the row, and to the next in
+    /// the column.) Positive values move a surface nearer. Depths saturate at both ends.
     ///
-    /// For an edge of an [outline](crate::Mesh::outline), `slope` multiplies the greatest of several differences: the
-    /// difference along the line, and the difference on each of the edge's two faces that is not culled. A face may be
-    /// so narrow on the screen that a pixel is many times as wide as the face. Therefore, the difference on a face is
-    /// limited to the depth difference between the nearest and the farthest corner of the face. If the edge is not a
-    /// crease, the limit is twice as large, because on a round body, pixels of the edge may lie over the next face,
+    /// For an edge of an [outline](crate::Mesh::outline), the difference is the greatest of several: along the line,
+    /// and on each of the edge's two faces that is not culled. On the screen, a face may be many times as narrow as a
+    /// pixel. So the difference on a face is limited to the difference between its nearest and its farthest corner, or
+    /// to twice as much if the edge is not a crease: on a round body, pixels of the edge may lie over the next face,
     /// which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {

@@ -13,9 +13,9 @@ use crate::sealed::Sealed;
 
 /// How a canvas stores colors of type `C`. Sealed: four types implement it.
 ///
-/// [`Native`] keeps the color itself. [`Words`] keeps the integer of the color's raw bits, for a bus that sends words
-/// of 16 bits. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep the color's raw bytes in the order that the
-/// name says, for a bus that sends bytes.
+/// [`Native`] keeps the color itself. [`Words`] keeps the color's raw bits as an integer, for a bus that sends words of
+/// 16 bits. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep its raw bytes in the order that the name says,
+/// for a bus that sends bytes.
 ///
 /// Use this trait as a bound in code that draws on canvases of any storage, or that sends the bytes of canvases of any
 /// color:
@@ -50,7 +50,7 @@ pub trait Storage<C>: Sealed + Sized {
     fn load(cell: Self::Cell) -> C;
 }
 
-/// A [`Storage`] that keeps each color unconverted, in its own type.
+/// A [`Storage`] that keeps each color as it is, in its own type.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -62,7 +62,7 @@ pub trait Storage<C>: Sealed + Sized {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Native {}
 
-/// A [`Storage`] that keeps the integer of a color's raw bits, such as a `u16` for `Rgb565`.
+/// A [`Storage`] that keeps a color's raw bits as an integer, such as a `u16` for `Rgb565`.
 ///
 /// Use it if the bus and its DMA send words of 16 bits with the most significant bit first. A display of 16-bit colors
 /// expects this order. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by one.

@@ -273,9 +273,9 @@ impl Transform {
     /// Makes a transform rigid again after many multiplications: the rows of its matrix become
     /// orthogonal and of length one.
     ///
-    /// The z axis keeps its direction, and the y axis stays in the plane of y and z. If the transform mirrors (its
-    /// matrix has a negative determinant), so does the result. A matrix with rows that are zero or parallel is returned
-    /// unchanged.
+    /// The z axis keeps its direction, and the y axis stays in the plane of y and z. The result mirrors if the
+    /// transform does (if its matrix has a negative determinant). A matrix with rows that are zero or parallel is
+    /// returned unchanged.
     ///
     /// Use this method for rotations and translations that are multiplied frame by frame.
     #[must_use]

@@ -217,9 +217,9 @@ impl Angle {
 
     /// Makes an angle from a float or an integer in radians, rounded to the nearest unit. Whole turns are dropped.
     ///
-    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, a turn
-    /// counts as the `f64` nearest to 2π radians. This adds an error of 4e-17 times the float, so the angle is accurate to
-    /// one unit for up to ten million radians.
+    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, the
+    /// `f64` nearest to 2π is a turn, which adds an error of 4e-17 times the float. So the angle is accurate to one
+    /// unit for up to ten million radians.
     ///
     /// Without the standard library, the crate [`micromath`] computes with floats, if errors of 1e-3 are small enough.
     /// fixel itself uses only integers.
@@ -277,9 +277,9 @@ impl Angle {
     /// Returns the sine.
     ///
     /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the sine's symmetries hold to the
-    /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, the error of this
-    /// polynomial is invisible; the error of `micromath`'s sine, 1.1e-3, would move vertices of the benchmarks' cube by
-    /// up to 0.35 pixels, and vertices of their sphere by up to 0.26 pixels.
+    /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, this error is
+    /// invisible. The error of `micromath`'s sine, 1.1e-3, would move vertices of the benchmarks' cube by up to 0.35
+    /// pixels, and of their sphere by up to 0.26 pixels.
     ///
     /// ```
     /// use fixel::{Angle, Fraction};

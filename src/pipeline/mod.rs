@@ -82,8 +82,8 @@ pub struct Drawn {
     pub submitted: u32,
     /// The number of triangles, edges or points that may have changed a pixel. A triangle counts if it is not culled,
     /// and its bounding rectangle on the screen contains a pixel center of the viewport in the canvas's rows. A line or
-    /// point counts if any part of it is between the near and the far plane and in the guard band (±2048 pixels around
-    /// the viewport's center), and may reach a row of the viewport in the canvas.
+    /// point counts if any part of it is between the near and the far plane, is at most 2048 pixels from the viewport's
+    /// center in x and y (in the guard band), and may reach a row of the viewport in the canvas.
     pub drawn: u32,
     /// The number of triangles that were [culled](crate::Cull), or that have no area on the screen. For an
     /// [outline](crate::Mesh::outline), the number of edges that do not show the shape, as seen from the eye.

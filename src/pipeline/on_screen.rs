@@ -218,12 +218,12 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, the mesh certainly has
     /// none, whether it is drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points larger
     /// than [one pixel](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these,
-    /// enlarge `bounds` by half of their width or size; for smooth lines, by half a pixel more.
+    /// enlarge `bounds` by half of their width or size (for smooth lines, by half a pixel more).
     ///
-    /// A draw call of a mesh that [keeps its bounds](crate::Mesh::with_bounds) makes the same test for the whole frame, so
-    /// ask only for what the draw call does not know: whether an object of several meshes is in view, or whether a mesh is
-    /// in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel, most of them
-    /// for a set-up that every draw call needs before its first vertex.
+    /// If a mesh [keeps its bounds](crate::Mesh::with_bounds), its draw call makes the same test for the whole frame.
+    /// So ask only what the draw call does not know: whether an object of several meshes is in view, or whether a mesh
+    /// is in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel, most
+    /// of them for a set-up that every draw call needs before its first vertex.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -1,11 +1,11 @@
 //! Face culling.
 
-/// Which triangles are not drawn, depending on the side that they show.
+/// Which triangles are left out: those that show their back, those that show their front, or none.
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
 /// matrix has a negative determinant), the corners of a front run clockwise instead. So a mirrored mesh also shows the
-/// outside of its faces: do not change the culling for a mirror, as programs for OpenGL do. The same is true of a
-/// [mirrored camera](crate::Camera::mirrored), and of the [shadow](crate::Transform::shadow) of a closed mesh.
+/// outside of its faces: do not change the culling for a mirror, as programs for OpenGL do. Do not change it either for
+/// a [mirrored camera](crate::Camera::mirrored), or for the [shadow](crate::Transform::shadow) of a closed mesh.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

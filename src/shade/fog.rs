@@ -54,9 +54,9 @@ use crate::sealed::Sealed;
 ///
 /// R is the triangle's range of distances: the greatest distance of a corner, plus the distance by which a corner lies
 /// behind the eye, divided by the least distance that is drawn. For example, a floor from the near plane at 0.1 to a
-/// distance of 300 has an R of 3,000. In linear fog from 10 to 100, the product is 3,333. If a triangle is beyond the
+/// distance of 300 has an R of 3,000. In linear fog from 10 to 100, the product is 3,333. If a triangle breaks the
 /// condition, the error grows in proportion, and more where linear fog is cut: at 65,536 · (far − near) beyond `far`.
-/// Divide such a triangle into smaller triangles.
+/// Divide the triangle into smaller ones.
 ///
 /// A plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), shows the nearest multiple of 1/32 of this share. This adds an
@@ -192,9 +192,9 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// A thin band of fog needs small triangles: the share that remains visible has an error of at most 1/100 if R ·
-    /// `far` / (`far` − `near`) is at most 30,000, where R is the greatest distance in the triangle divided by the
-    /// least. The table of [`Fog`](Fog#accuracy) has the exact condition for each mode.
+    /// A thin band of fog needs small triangles. Let R be the greatest distance in a triangle divided by the least:
+    /// while R · `far` / (`far` − `near`) is at most 30,000, the visible share has an error of at most 1/100. The table
+    /// of [`Fog`](Fog#accuracy) has the exact condition for each mode.
     ///
     /// # Errors
     ///

@@ -66,11 +66,11 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     ///
     /// where z is the distance along the view direction, `focal` is the focal length in pixels, d is the distance of
     /// the eye from the triangle's plane, and `density` is the number of texels per unit of length on the triangle, as
-    /// a mean of both directions of the texture. z / focal is a pixel's size at this distance. z / d is the factor by
-    /// which the pixel's area is stretched on the plane, along the line of sight. So the level suits the direction in
-    /// which a texture is foreshortened most, as is usual in graphics hardware; in the other direction, the picture is
-    /// softer than necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at
-    /// most the pixel's true distance divided by z.
+    /// a mean of both directions of the texture. A pixel at this distance has the size z / focal; on the plane, it is
+    /// stretched z / d times along the line of sight. So the level suits the direction in which a texture is
+    /// foreshortened most, as is usual in graphics hardware; in the other direction, the picture is softer than
+    /// necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at most the
+    /// pixel's true distance divided by z.
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
     /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16

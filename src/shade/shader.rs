@@ -70,9 +70,9 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader that wraps another shader calls the inner `varyings` and `shade`. The outer [`Varyings`](Self::Varyings)
-/// are the varyings of the inner shader, alone or in a pair with varyings of the outer shader. Most effects need no
-/// shader of their own: see [`map`](Self::map).
+/// A shader that wraps another shader calls the inner `varyings` and `shade`. Its own [`Varyings`](Self::Varyings) are
+/// the inner shader's, alone or in a pair with further varyings. Most effects need no shader of their own: see
+/// [`map`](Self::map).
 ///
 /// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. The outer shader returns the result, which is a color in full precision:
@@ -380,9 +380,8 @@ pub trait Shader: Copy {
 
     /// Applies a function to each pixel and its color: any effect in one line. `None` leaves the pixel as it is.
     ///
-    /// The function may capture only [`Copy`] values. If an `rgb` function made the surface, such as
-    /// [`Flat::rgb`](super::Flat::rgb), the compiler does not know the color's type yet. Write it:
-    /// `|_, color: Rgb565| …`.
+    /// The function may capture only [`Copy`] values. Over a surface from [`Flat::rgb`](super::Flat::rgb) or another
+    /// `rgb` function, write the color's type, which the compiler does not know yet: `|_, color: Rgb565| …`.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -437,8 +436,8 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` has fewer than 5 bits per channel (see [`PixelFormat`]).
     ///
-    /// For example, use this method to draw a texture in another color format than the canvas's. This method converts
-    /// every pixel, so a texture that is stored in the canvas's format is drawn faster.
+    /// Use it, for example, to draw a texture in another color format than the canvas's. It converts every pixel, so a
+    /// texture in the canvas's own format is faster.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888, RgbColor}};
@@ -468,10 +467,10 @@ pub trait Shader: Copy {
         Converted::new(self)
     }
 
-    /// Dithers this surface, whatever its format: the mean of 8x8 pixels then differs from the surface's [full-precision
-    /// color](super::Precise) by at most 1/128 step. That color has errors of its own: at most 1/250 step for each light,
-    /// tint or fog, and 1/8 step for interpolated colors. Formats with fewer than 5 bits per channel are dithered anyway. In formats of 15 and 16 bits,
-    /// dithering hides the bands of soft light and fog. Call this method last.
+    /// Dithers this surface, whatever its format: the mean of 8x8 pixels is then within 1/128 step of the surface's
+    /// [full-precision color](super::Precise). That color is itself exact to 1/250 step for each light, tint or fog,
+    /// and 1/8 step for interpolated colors. Formats with fewer than 5 bits per channel are dithered anyway. In formats
+    /// of 15 and 16 bits, dithering hides the bands of soft light and fog. Call this method last.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};

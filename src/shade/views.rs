@@ -100,8 +100,8 @@ impl<C: PixelFormat> Shader for DepthView<C> {
 /// The direction of normals in world space as a color.
 ///
 #[cfg_attr(doc, doc = page_picture!("normal_view", "A ring in the colors of its normals"))]
-/// Red shows x, green shows y and blue shows z; each is dark at −1, half bright at 0 and bright at +1. Gray canvases
-/// show the luma of this color.
+/// Red shows x, green shows y and blue shows z: dark at −1, half bright at 0, bright at +1. Gray canvases show the luma
+/// of this color.
 ///
 /// The view shows the mesh's normals, or each triangle's own normal if the mesh has none. A normal without a direction
 /// is mid-gray. The colors are interpolated, not the directions.

@@ -116,13 +116,13 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     is_gentle.then(|| most.leading_zeros().wrapping_sub(1) & 31)
 }
 
-/// Perspective-correct, with the reciprocal of 1/w, exact to 31 bits, at every pixel.
+/// Perspective-correct: each pixel divides by its 1/w, exact to 31 bits.
 ///
-/// No pixel depends on the pixels before it. A varying is computed from the span's interpolants (1/w, and the varyings
-/// divided by w), and rounded down to its unit; the reciprocal adds a relative error below 2⁻³⁰. If a triangle's
-/// farthest corner is many times as far away as its nearest corner, each pixel computes its own interpolants, in 64
-/// bits. (The limit depends on the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a
-/// texel, for a texture of 256 texels and depth ratios of up to 1,000 within a triangle.
+/// Each pixel computes its varyings anew from the span's interpolants (1/w, and the varyings divided by w), and rounds
+/// them down to their units. The reciprocal adds a relative error below 2⁻³⁰. If a triangle's farthest corner is many
+/// times as far away as its nearest corner, each pixel computes its own interpolants, in 64 bits. (The limit depends on
+/// the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a texel, for a texture of 256 texels
+/// and depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
@@ -145,7 +145,7 @@ impl Mode for Exact {
     }
 }
 
-/// Perspective-correct, with a reciprocal of 1/w at every pixel and nothing else: the mode with the least code.
+/// Perspective-correct: each pixel divides by its 1/w. The mode with the least code.
 ///
 /// All triangles and all spans take one path. So a program contains no special paths for small triangles or linear
 /// spans. On a Cortex-M4 at opt-level "s", drawing textured triangles with a depth buffer takes a fifth less code than
@@ -187,29 +187,28 @@ impl Mode for Affine {
     const KERNEL: Plan = Plan::Straight;
 }
 
-/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a value that is
-/// extrapolated from the reciprocals at the two pixels before.
+/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess, on the line
+/// through the reciprocals at the two pixels before.
 ///
-/// Let δ be the relative change of 1/w from one pixel to the next. Linear extrapolation from the reciprocals of 1/w at
-/// two pixels has a relative error of 2δ² at the third pixel; one Newton step squares this error. This path requires δ
-/// ≤ 2⁻⁶, so the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ is drawn with a reciprocal at
-/// every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to a varying (for a texture coordinate,
-/// less than 0.0008 texels). The error of [`Compact`] comes on top of both errors.
+/// Let δ be the relative change of 1/w from one pixel to the next. The guess has a relative error of 2δ², and the
+/// Newton step squares it. With δ ≤ 2⁻⁶, the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ
+/// is drawn with a reciprocal at every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to a varying
+/// (for a texture coordinate, less than 0.0008 texels). [`Compact`]'s error comes on top.
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///
 /// - A row in which 1/w hardly changes, such as a row of a floor under a camera that does not roll, is drawn linearly
 ///   if the error is at most 16 units.
-/// - A triangle that hardly changes in depth is drawn linearly if the error is within a tolerance: for a color, the
-///   shader's tolerance of an eighth of a step ([`Varyings`](crate::shade::Varyings)); for a texture coordinate, 1/32
-///   texel if the triangle is small (its width and its height add up to at most 43 pixels), and 1/4096 texel if not.
-///   This covers nearly all triangles of a model. [`Newton::NARROW`] allows 1/4096 texel in small triangles, too.
+/// - A triangle that hardly changes in depth is drawn linearly if the error is within a tolerance. For a color, the
+///   shader allows an eighth of a step ([`Varyings`](crate::shade::Varyings)). For a texture coordinate, the tolerance
+///   is 1/4096 texel, or 1/32 texel in a small triangle, whose width and height add up to at most 43 pixels. These are
+///   nearly all triangles of a model. [`Newton::NARROW`] allows only 1/4096 texel in small triangles, too.
 ///
 /// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
 /// edge. So bands have the same pixels as whole frames.
 ///
-/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]: there, compared with `Fast`, a pixel that
-/// takes a Newton step costs more than five times the instructions, and a frame of the measured cube about twice.
+/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]. There, relative to `Fast`, a pixel with
+/// a Newton step costs more than five times the instructions, and a frame of the measured cube about twice.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
@@ -322,7 +321,7 @@ impl Mode for Newton {
     }
 }
 
-/// Perspective-correct at the ends of straight pieces, and linear between the ends. Pieces are as long as a tolerance
+/// Perspective-correct at the ends of straight pieces, and linear in between. Pieces are as long as your tolerance
 /// allows.
 ///
 /// In a piece of L pixels, let f′ be the change of a varying per pixel, and δ the relative change of 1/w per pixel. The
@@ -366,8 +365,8 @@ impl Fast {
     /// 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// The mode with pieces that have an error of at most this many texels; the rounding error comes on top. If the
-    /// number is 0 or less, there is a division at every pixel.
+    /// Pieces with an error of at most this many texels; the rounding error comes on top. With 0 or less, every pixel
+    /// divides.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();

@@ -10,8 +10,8 @@ use crate::message;
 ///
 /// A reference to rows of texels is a sampler. It is the fastest sampler, because the size of the rows is part of the
 /// type. [`Texture`](super::Texture), [`Indexed`](super::Indexed), [`Raw`](super::Raw) and [`Mipmap`](super::Mipmap)
-/// are samplers themselves. References to these types are not samplers: what the reference points to would be read
-/// again at each pixel, because the compiler cannot know that writing a pixel does not change the texture. Your own
+/// are samplers themselves. References to these types are not samplers, because a loop over pixels would read the
+/// texture's fields again at each pixel: the compiler cannot know that writing a pixel does not change them. Your own
 /// sampler can compute its texels:
 ///
 /// ```
@@ -69,7 +69,7 @@ pub trait Sampler: Copy {
     /// A texel of a mipmap level. The width and height of the level are the texture's width and height divided by
     /// 2^`level`. In the last level, the shorter side has one texel.
     ///
-    /// By default, this is the first of the level-0 texels that the texel replaces.
+    /// A texel of a level replaces several texels of level 0; by default, this returns the first of them.
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
         self.texel(u.wrapping_shl(level), v.wrapping_shl(level))

@@ -39,11 +39,12 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **Each plane of the frustum has such a distance.** The right plane is *x* = *w* in clip space, and the distance from
-//! it is *d* = *w* − *x*. A matrix computed *x* and *w*, so *d* is linear in space, too. With the distances *d*₀ inside
-//! and −*d*₁ outside, *t* = *d*₀/(*d*₀ + *d*₁). To clip a polygon, walk around it (Sutherland and Hodgman): keep each
-//! corner that is inside, and insert a new corner on each edge that crosses the plane. Then clip the result by the next
-//! plane. A plane cuts the outline of a triangle at most twice, so each plane adds at most one corner.
+//! **The other planes of the frustum clip in the same way.** The right plane is *x* = *w* in clip space, and the
+//! distance from it is *d* = *w* − *x*. A matrix computed *x* and *w*, so *d* is linear in space, too. With the
+//! distances *d*₀ inside and −*d*₁ outside, *t* = *d*₀/(*d*₀ + *d*₁). To clip a polygon, walk around it (Sutherland and
+//! Hodgman): keep each corner that is inside, and insert a new corner on each edge that crosses the plane. Then clip
+//! the result by the next plane. A plane cuts the outline of a triangle at most twice, so each plane adds at most one
+//! corner.
 //!
 //! # A shared cut
 //!

@@ -9,9 +9,9 @@
 //!
 #![doc = formula!({A + s (B - A)})]
 //!
-//! An edge with more columns than rows passes, in each column, between the centers of two pixels above each other. In a
-//! steep edge, rows and columns change places. Let *m* be the edge's slope, from 0 (level) to 1 (diagonal), and *d* the
-//! distance from a center straight up or down to the edge. The distances of both pixels add up to 1.
+//! If an edge crosses more columns than rows, it passes in each column between the centers of two pixels, one above the
+//! other. In a steep edge, rows and columns change places. Let *m* be the edge's slope, from 0 (level) to 1 (diagonal),
+//! and *d* the distance from a center straight up or down to the edge. The distances of both pixels add up to 1.
 //!
 #![doc = include_str!("../diagrams/share.svg")]
 //!

@@ -15,12 +15,12 @@ impl Transform {
     ///
     /// Write the shadow to the left of the transform that places the mesh, and draw it with
     /// [`TestNearer`](crate::canvas::TestNearer), so that each pixel is darkened once; see
-    /// [`Biased::coplanar`](crate::canvas::Biased::coplanar). The faces toward the light show their fronts, so leave
-    /// [culling](crate::Cull) as it is if the mesh is closed. Parts of the mesh behind the plane throw a shadow, too. The
-    /// [cookbook](crate::guide::cookbook#a-mirror) has a scene with shadows.
+    /// [`Biased::coplanar`](crate::canvas::Biased::coplanar). If the mesh is closed, leave [culling](crate::Cull) as it
+    /// is, because the faces toward the light show their fronts. Parts of the mesh behind the plane throw a shadow,
+    /// too. The [cookbook](crate::guide::cookbook#a-mirror) has a scene with shadows.
     ///
-    /// The entries of the matrix are accurate to 2⁻²⁸ of its largest entry. If the light is low, this entry is large:
-    /// about 1 / sin of the light's height.
+    /// The entries of the matrix are accurate to 2⁻²⁸ of its largest entry. The lower the light, the larger this entry:
+    /// about 1 / sin e, where e is the light's angle above the plane.
     ///
     /// # Errors
     ///

@@ -99,7 +99,7 @@ impl Transform {
 
     /// Makes the rotation of a quaternion, given as `[x, y, z, w]` with the real part last.
     ///
-    /// The parts may have any common unit, because the quaternion is normalized. For a sensor's raw integers, use
+    /// The parts may be in any common unit, because the quaternion is normalized. For a sensor's raw integers, use
     /// [`Scalar::from_bits`]. The entries of the rotation matrix are accurate to 2⁻²⁷.
     ///
     /// # Errors

@@ -25,10 +25,10 @@ use writer::MeshWriter;
 /// | [`plane`](Self::plane), [`disc`](Self::disc) | surfaces that face up |
 /// | [`lathe`](Self::lathe) | a surface of revolution: a profile of yours, turned around the y axis |
 ///
-/// All shapes except those of a lathe are centered on the origin. Shapes have positions, unit normals, texture
-/// coordinates from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are
-/// counter-clockwise as seen from outside. Where the texture or the normal jumps, a position is stored twice or more
-/// often. To resize a shape, scale it with a [`Transform`](crate::Transform).
+/// All shapes are centered on the origin, except a lathe's. Shapes have positions, unit normals, texture coordinates
+/// from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as
+/// seen from outside. Where the texture or the normal jumps, positions repeat. To resize a shape, scale it with a
+/// [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -66,9 +66,9 @@ const CONE: &Profile = &[
 const DOWN: Scalar = Scalar::from_bits(-Scalar::ONE.to_bits());
 
 impl Shape<'static> {
-    /// The most slices, stacks, sides, columns, rows or points of a shape. Because indices have 16 bits, a sphere of this many
-    /// slices can only have 2 stacks, a plane of this many columns or rows has at most 2 parts in the other direction,
-    /// and a torus or a cylinder has at most this many slices less one.
+    /// The most slices, stacks, sides, columns, rows or points of a shape. Indices have 16 bits. So a sphere of this
+    /// many slices has at most 2 stacks, a plane of this many columns or rows has at most 2 parts in the other
+    /// direction, and a torus or a cylinder has at most one slice less.
     pub const MAX_PARTS: u32 = 16_384;
 
     /// A box from −`corner` to `corner`; the texture fills each of its six sides.

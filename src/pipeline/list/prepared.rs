@@ -47,7 +47,7 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// assert_eq!(crate_.material, "wood");
 /// ```
 ///
-/// The lifetime is the mesh's: `'static` for a mesh in flash, and another for a mesh that is made at run time.
+/// The lifetime is the mesh's: `'static` for a mesh in flash, another for a mesh made at run time.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -284,7 +284,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }
     }
 
-    /// The options with which the list was prepared, and is drawn.
+    /// The options of the list, for preparing and for drawing.
     #[must_use]
     pub const fn options(&self) -> &O {
         &self.options
