@@ -161,8 +161,8 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
         })
     }
 
-    /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel. It needs a far plane that is at most 500
-    /// times as far away as the near plane: [the rule](crate::guide::concepts#depth).
+    /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel. Keep the far plane at most 500 times as far
+    /// away as the near plane: [the rule](crate::guide::concepts#depth).
     ///
     /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. Before the first draw
     /// call, clear the buffer or fill it with 0, which means infinitely far.
@@ -290,8 +290,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         display.fill_contiguous(&self.bounding_box(), self.pixels())
     }
 
-    /// Shows the canvas on a display of another color type, otherwise like [`show`](Self::show). `color` converts the
-    /// color at each point of the frame.
+    /// Like [`show`](Self::show), for a display of another color type: `color` converts the color at each point of the
+    /// frame.
     ///
     /// For a canvas of [`ColorIndex`](super::ColorIndex), `color` looks up each color in a palette. A gray canvas can
     /// be dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
@@ -330,9 +330,8 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// least significant bit.
     ///
     /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
-    /// and the first row of the canvas is the first row of a page. So let each band for such a display begin at a row
-    /// that is a multiple of 8, and give the band 8 rows, 16 rows, and so on. If the last page of a band has fewer than
-    /// 8 rows, the page's other bits are 0.
+    /// and the first row of the canvas is the first row of a page. So begin each band at a multiple of 8, and give it
+    /// 8, 16, … rows. If the last page of a band has fewer than 8 rows, its other bits are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;

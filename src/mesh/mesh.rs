@@ -75,11 +75,11 @@ impl<'a> Mesh<'a> {
     /// for bit, as 32-bit positions with the same values. With 14 fraction bits, for example, 16-bit positions range
     /// from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. On the screen, the rounding moves
-    /// the position by up to √3/2 · (1 + s) units times focal length / w, where s is the slope x/w or y/w at which the
-    /// position is seen. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this bound is 0.008
-    /// pixels. Transforming a 16-bit position takes more instructions than transforming a 32-bit position: 7 more on
-    /// Cortex-M4, and about 10 more on Cortex-M0+.
+    /// Rounding to these units moves a position by up to half a unit along each axis. Let s be the slope x/w or y/w at
+    /// which the position is seen: on the screen, the rounding moves it by up to √3/2 · (1 + s) units times focal
+    /// length / w. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this bound is 0.008 pixels.
+    /// Transforming a 16-bit position takes more instructions than transforming a 32-bit position: 7 more on Cortex-M4,
+    /// and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `quantized`; [`Mesh::quantized_positions`] converts the positions of any mesh.

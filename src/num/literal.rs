@@ -31,9 +31,9 @@ macro_rules! __rounded {
 /// assert_eq!(fx!(const WIDTH / 2), fx!(160));
 /// ```
 ///
-/// The literal is rounded to a multiple of 1/65536, by at most 7.6e-6. Below 0.0076 this can be more than 0.1 %. To keep
-/// the digits, divide by the reciprocal, multiply by a [`Fraction`](crate::Fraction), or choose a smaller unit of
-/// length: millimeters in place of meters.
+/// The literal is rounded to a multiple of 1/65536, by at most 7.6e-6: for a literal below 0.0076, this can be more
+/// than 0.1 %. To keep the digits, divide by the reciprocal, multiply by a [`Fraction`](crate::Fraction), or choose a
+/// smaller unit of length: millimeters in place of meters.
 ///
 /// ```
 /// use fixel::{Fraction, fx};

@@ -60,10 +60,9 @@ use prepared::{Objects, Placed, Run};
 ///
 /// # Which camera, which frame
 ///
-/// Prepared things keep their camera, projection, transforms and options. The methods that draw a list have no such
-/// arguments, so a list cannot be drawn with a wrong camera, for example. A canvas of another frame size is refused.
-/// [`Prepared::objects`] returns the objects of the scene. As long as the prepared things are in use, neither the list
-/// nor these objects can change:
+/// The list keeps the camera, the projection, the transforms and the options. You do not state them again when you draw
+/// it, so you cannot draw it with a wrong camera. (A canvas of another frame size is an error.) While you draw, neither
+/// the list nor its objects can change; [`Prepared::objects`] reads them:
 ///
 /// ```compile_fail,E0506
 /// use fixel::prelude::*;
@@ -77,11 +76,10 @@ use prepared::{Objects, Placed, Run};
 /// }
 /// ```
 ///
-/// One mistake remains possible: to draw an earlier frame's list in a frame in which other draw calls use a new camera.
-/// So prepare the list in each frame, after the camera has moved.
+/// One mistake remains possible: to mix a list of an earlier frame with draw calls that use a new camera. So prepare
+/// the list in each frame, after the camera has moved.
 ///
-/// Light, and whatever else a shader computes at the corners, can be computed once for all bands, too: see
-/// [`ShadeList`].
+/// A [`ShadeList`] also keeps light, and whatever else a shader computes at the corners, for all bands.
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
 /// than drawing the triangles.

@@ -52,16 +52,16 @@ use crate::sealed::Sealed;
 /// | [`Affine`](crate::mode::Affine) | no bound | no bound |
 /// | any, under a parallel projection | \|z − far\| ≤ 30,000 · (far − near) at all corners | density · \|z\| ≤ 40,000 at all corners |
 ///
-/// R is the triangle's range of distances: the greatest distance of a corner, plus the distance by which a corner lies
-/// behind the eye, divided by the least distance that is drawn. For example, a floor from the near plane at 0.1 to a
-/// distance of 300 has an R of 3,000. In linear fog from 10 to 100, the product is 3,333. If a triangle breaks the
-/// condition, the error grows in proportion, and more where linear fog is cut: at 65,536 · (far − near) beyond `far`.
-/// Divide the triangle into smaller ones.
+/// R is the triangle's range of distances: (the greatest distance of a corner + how far a corner lies behind the eye) /
+/// (the least distance that is drawn). For example, a floor from the near plane at 0.1 to a distance of 300 has an R of
+/// 3,000. In linear fog from 10 to 100, the product is 3,333. If a triangle breaks the condition, the error grows in
+/// proportion, and more where linear fog is cut: at 65,536 · (far − near) beyond `far`. Divide the triangle into
+/// smaller ones.
 ///
-/// A plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
-/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), shows the nearest multiple of 1/32 of this share. This adds an
-/// error of at most 1/64, and takes half of the time. If another adapter comes before or after the fog, such as a light
-/// or [`dithered`](super::Shader::dithered), the share is not rounded.
+/// For a plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. This adds an error of at most 1/64,
+/// and takes half of the time. If another adapter comes before or after the fog, such as a light or
+/// [`dithered`](super::Shader::dithered), the share is not rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fog<C, D = LinearFog> {
     color: C,

@@ -42,10 +42,9 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly
-    /// parallel to the view direction that the roll would be noise. If the angle between `up` and the view direction is
-    /// below 1.9e-7 radians (0.04 seconds of arc), `up` is always refused; if the angle is above 8e-6 radians, `up` is
-    /// never refused.
+    /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly parallel to the view
+    /// direction that the roll would be noise. An angle below 1.9e-7 radians (0.04 seconds of arc) is always refused;
+    /// an angle above 8e-6 radians never is.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// Two vectors count as parallel if every component of their cross product is below this limit. The largest
         /// mantissa of each vector is from 2^29 to 2^30. So the product of the lengths is at least 2^58, and the limit
@@ -133,7 +132,7 @@ impl Camera {
     /// Returns the camera that shows what a mirror shows: the mirror image of the world, in the plane through `point` at
     /// right angles to `normal`.
     ///
-    /// Draw the scene twice, from this camera inside the mirror and from the camera itself; the
+    /// Draw the scene twice: from this camera inside the mirror, and from `self` everywhere. The
     /// [cookbook](crate::guide::cookbook#a-mirror) shows how. Nothing else changes. Faces keep their outsides, so leave
     /// [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world itself does
     /// not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the mirror would

@@ -190,9 +190,8 @@ impl<K: ProjectionKind> Projection<K> {
     ///
     /// Each edge has an error of at most 2⁻²⁹ of the largest edge, before it is rounded to the nearest 2⁻¹⁶; it
     /// saturates. In perspective and under an oblique projection, `near` counts as an edge in this bound. Under an
-    /// oblique projection, the bound is also multiplied by 1 + |ratio|. In perspective, if the distance from the line
-    /// of sight to the middle of the window exceeds `near`, the bound is also multiplied by that distance divided by
-    /// `near`.
+    /// oblique projection, the bound is also multiplied by 1 + |ratio|. In perspective, let m be the distance from the
+    /// line of sight to the middle of the window: if m exceeds `near`, the bound is also multiplied by m / `near`.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {

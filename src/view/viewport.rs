@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::error::{Error, check_count, ok};
 
-/// A rectangle of pixels to which normalized device coordinates are mapped.
+/// The rectangle of pixels that a picture fills: normalized device coordinates from −1 to 1 map to it.
 ///
 /// The rectangle may reach beyond the canvas; pixels outside the canvas are not drawn.
 ///

@@ -131,9 +131,9 @@
 //! For another plane, *h* is the distance of the eye from the plane. This is the level for the direction in which the
 //! texture is foreshortened most. Across, *w*/*F* would do, so the picture is softer than necessary in that direction.
 //!
-//! By hand: *m* = 64, *F* = 160, *h* = 1. The distance 5 is seen 160/5 = 32 rows below the horizon. Across, a pixel
-//! covers 64 · 5/160 = 2 texels. Along the line of sight, it covers five times as many, 10 texels. The level is log₂ 10
-//! = 3.32, and the nearest level is 3, with a mean of 8x8 texels. The table continues:
+//! By hand: *m* = 64, *F* = 160, *h* = 1. The floor at the distance 5 is seen 160/5 = 32 rows below the horizon.
+//! Across, a pixel covers 64 · 5/160 = 2 texels. Along the line of sight, it covers five times as many, 10 texels. The
+//! level is log₂ 10 = 3.32, and the nearest level is 3, with a mean of 8x8 texels. The table continues:
 //!
 //! | rows below the horizon | distance | texels across | texels along | level | nearest level |
 //! |---:|---:|---:|---:|---:|---:|
