@@ -245,8 +245,7 @@ errors! {
         max: u32,
     } = "viewport is at ({}, {}): both coordinates must lie between -{} and {}",
         Number(x), Number(y), Number(max), Number(max);
-    /// Too few or too many elements: of a slice, of a mesh, of the memory for one, of a shape's parts, of the rows and
-    /// columns of a frame.
+    /// Too few or too many: elements of a slice or of a mesh, parts of a shape, rows or columns of a frame.
     Count {
         /// The name of the count.
         of: &'static str,

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use super::canvas::Canvas;
 use super::storage::Storage;
 
-/// A change of grays that makes one gray black and a lighter gray white, and spreads the grays between them evenly.
+/// Makes one gray black and a lighter gray white, and spreads the grays between them evenly.
 ///
 /// Displays with few grays need this change: for example, a scene of only dark grays would become noise in black and
 /// white. The default contrast changes no gray.
@@ -35,17 +35,16 @@ impl Default for Contrast {
 }
 
 impl Contrast {
-    /// A contrast that turns the gray `black`, and all darker grays, into black (0), and the gray `white`, and all
-    /// lighter grays, into white (255). If `white` is not lighter than `black`, all grays up to `black` become black,
-    /// and all lighter grays become white.
+    /// Grays up to `black` become black (0), and grays from `white` on become white (255). If `white` is not lighter
+    /// than `black`, all grays above `black` become white.
     #[must_use]
     pub const fn new(black: u8, white: u8) -> Self {
         Self { black, white }
     }
 
-    /// Measures the grays of the rows in memory, and returns the contrast that turns the darkest gray into black and
-    /// the lightest gray into white. The darkest `ignored`/256 of the pixels and the lightest `ignored`/256 do not
-    /// count, so that a single highlight does not set the contrast.
+    /// The contrast that turns the darkest gray of the rows in memory into black, and the lightest into white. It
+    /// ignores the darkest `ignored`/256 of the pixels, and as many of the lightest, so that a single highlight does
+    /// not set the contrast.
     ///
     /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
     /// KiB of stack.

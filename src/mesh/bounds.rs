@@ -3,7 +3,7 @@
 use super::Mesh;
 use crate::math::Vec3;
 
-/// A box with sides parallel to the axes of model space, such as the smallest box of this kind around a mesh.
+/// A box with sides parallel to the axes of model space, such as the smallest one around a mesh.
 ///
 /// A mesh [keeps](Mesh::with_bounds) its box, so that drawing a mesh out of view takes no longer than a test.
 /// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the canvas,

@@ -43,8 +43,8 @@ pub struct Mesh<'a> {
 }
 
 impl<'a> Mesh<'a> {
-    /// The index that marks, in the `faces` of an attribute, a corner without a value. The corner then gets the texture
-    /// coordinate (0, 0), the normal of its triangle, or white.
+    /// In the `faces` of an attribute, the index of a corner without a value. The corner gets the texture coordinate
+    /// (0, 0), the normal of its triangle, or white.
     ///
     /// Exception: in a list of 65,536 values, this index is valid, and means the last value.
     pub const NO_VALUE: Index = Index::MAX;

@@ -24,9 +24,8 @@ pub struct Material<'a> {
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
-    /// The name of the texture: the name of its file or, if the model contains the picture, the name of the picture. If
-    /// the surface sends out light by a texture of its own, both textures are one picture: `image-5` is
-    /// `include_texture!(…, image = 5)`.
+    /// The texture's file name or, if the model contains the picture, the picture's name. If the surface sends out
+    /// light by a texture of its own, both textures are one picture: `image-5` is `include_texture!(…, image = 5)`.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,
@@ -36,7 +35,7 @@ pub struct Material<'a> {
     pub emission: Rgb888,
     /// Whether faces are seen from behind, too.
     pub two_sided: bool,
-    /// Whether the texture's edge continues beyond it, along u and along v; otherwise, the texture repeats.
+    /// Whether the texture is clamped to its edge, along u and along v; otherwise, it repeats.
     pub clamp: [bool; 2],
     /// Whether lights do not change the surface's colors. If so, draw it without [`lit`](crate::Shader::lit).
     pub unlit: bool,

@@ -23,7 +23,7 @@ pub(crate) struct Placement<'a> {
     pub(crate) corners: Option<&'a CornerCache>,
 }
 
-/// What a draw call asked for but the mesh lacks; the draw call returns this value.
+/// What a draw call needed and the mesh lacks; the call returns it as [`Drawn::missing`](crate::Drawn::missing).
 ///
 /// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white; without edges,
 /// [`Mesh::edges`] draws nothing. None of this is an error, because each may be intended.

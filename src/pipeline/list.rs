@@ -175,7 +175,7 @@ enum Corners {
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
-    /// The most vertices that a list of any length can use, because 16-bit numbers count them from 1.
+    /// The most vertices of a list, however long it is: 16-bit numbers count them, from 1.
     pub const MAX_VERTICES: usize = u16::MAX as usize;
 
     /// An empty list.

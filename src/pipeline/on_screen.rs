@@ -33,8 +33,8 @@ pub struct ScreenPoint {
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// How near the point is, as a code: a nearer point has a greater number, if both are seen through the same
-    /// projection. The code is finer than any depth buffer: its steps are 2⁻²⁵ of the distance.
+    /// How near the point is: of two points under the same projection, the nearer one has the greater number. Its steps
+    /// are 2⁻²⁵ of the distance, finer than any depth buffer's.
     pub nearness: u32,
 }
 
@@ -72,8 +72,7 @@ fn nearness(q: u32, down: u32) -> u32 {
 /// Questions about the screen that need no canvas, so you can ask them before you draw, or while another core draws.
 /// The viewport of a whole canvas is [`Canvas::viewport`].
 impl Viewport {
-    /// The screen position of a point of model space: bit for bit the position at which a draw call to this viewport
-    /// draws the point.
+    /// The screen position of a point of model space: bit for bit where a draw call to this viewport draws it.
     ///
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048 pixels
     /// away from the viewport's center, horizontally or vertically. The position may lie outside the viewport.

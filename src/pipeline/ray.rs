@@ -32,7 +32,7 @@ pub struct Ray {
     pub origin: Vec3,
     /// The direction of the ray.
     pub direction: Direction,
-    /// Which faces the ray passes through: no faces, faces that it meets from behind, or faces that it meets from the
+    /// Which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
     /// front. Seen from the front, a face's corners run counter-clockwise.
     pub cull: Cull,
 }

@@ -191,8 +191,8 @@ pub trait Shader: Copy {
 
     /// Whether [`shade`](Self::shade) reads [`Fragment::depth`].
     ///
-    /// The default, `true`, is always correct. `false` makes a shader faster if no depth buffer needs depth and nothing
-    /// is interpolated. Then depth is not computed, and [`Fragment::depth`] reads as 0.
+    /// The default, `true`, is always correct. With `false`, a shader that interpolates nothing is faster where no
+    /// depth is tested or stored: depth is then not computed, and [`Fragment::depth`] reads as 0.
     const READS_DEPTH: bool = true;
 
     /// Whether an effect of this shader, such as light, keeps what it computes at corners for neighboring triangles.
@@ -497,8 +497,8 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] that a canvas of color `C` accepts, because its output is a `C`, in full precision or not, with an
-/// opacity or without. Draw calls of [`Canvas`](crate::Canvas) require this trait.
+/// A [`Shader`] for canvases of color `C`: its output is a `C`, in full precision or not, with an opacity or without.
+/// Draw calls of [`Canvas`](crate::Canvas) require this trait.
 ///
 /// Every shader whose output has the color `C` implements this trait. For a shader of another color, the compiler's
 /// message says what to write:

@@ -66,9 +66,10 @@
 //! get their exact shares. Two errors remain. Where colors change along the surface, the color at the neighbor's center
 //! is not the color at the edge. And where two edges meet in a pixel, only one of them mixes it.
 //!
-//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a rest of the edge's exact division
-//! ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is rounded down
-//! to 1/256, which changes a share by at most an eighth of this. The share of a corner is rounded down once more.
+//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a remainder of the edge's exact
+//! division ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is
+//! rounded down to 1/256, which changes a share by at most an eighth of this. The share of a corner is rounded down
+//! once more.
 //!
 //! Tests: `accuracy/smooth_edges.rs`; pairs of pixels in `src/raster/straddle.rs`.
 //!

@@ -426,10 +426,9 @@ impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Draws the triangles or edges that were [prepared](crate::DrawList::prepare) for this frame and meet this
-    /// canvas's rows. The pixels are the same as with [`draw_with`](Self::draw_with), but nothing is transformed again.
-    /// If several objects were prepared, all are drawn with this shader; to draw each object with its own shader, see
-    /// [`Prepared::parts`].
+    /// Draws the part of a [prepared](crate::DrawList::prepare) list that is in this canvas's rows. The pixels are the
+    /// same as with [`draw_with`](Self::draw_with), but nothing is transformed again. If several objects were prepared,
+    /// all are drawn with this shader; to draw each object with its own shader, see [`Prepared::parts`].
     ///
     /// # Errors
     ///
