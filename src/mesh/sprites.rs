@@ -65,12 +65,12 @@ use crate::num::{Angle, Scalar, TexCoord};
 /// triangles: a clipped rectangle, a shader with [values per face](crate::shade::PerFace) (as with mipmaps), and a
 /// varying that changes both across and down, as the light of a lamp does.
 ///
-/// Every shader works with sprites. For a shader, sprites are a mesh in eye space, with normals that point toward the
-/// viewer. The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the
-/// sprite's position are accurate to 2⁻²⁶ of the longest offset, and less with an axis near the line of sight. The
-/// position and each corner are rounded to the nearest [`Scalar`]s in eye space. Let s be the slope x/w or y/w at which
-/// a corner is seen: the rounding moves it on the screen by at most 2⁻¹⁶ · (1 + s) · focal length / w pixels along each
-/// axis. A sprite with a corner beyond ±32,768 in eye space is not drawn.
+/// Every shader works with sprites, and sees them as a mesh in eye space, with normals that point toward the viewer.
+/// The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the sprite's
+/// position are accurate to 2⁻²⁶ of the longest offset, and less with an axis near the line of sight. The position and
+/// each corner are rounded to the nearest [`Scalar`]s in eye space. Let s be the slope x/w or y/w at which a corner is
+/// seen: the rounding moves it on the screen by at most 2⁻¹⁶ · (1 + s) · focal length / w pixels along each axis. A
+/// sprite with a corner beyond ±32,768 in eye space is not drawn.
 ///
 /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
 ///

@@ -24,11 +24,11 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// each mesh, with the `options` and the `mvp` that drew the mesh.
     ///
     #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
-    /// Where an edge of the outline passes between the centers of two neighboring pixels, it mixes the two colors: each
-    /// pixel gets the other's color for the [share of the pixel](crate::guide::mathematics::coverage) that lies beyond
-    /// the edge. So the shape neither grows nor shrinks. It mixes the colors on the canvas, whatever drew them, and
-    /// calls no shader. If the canvas has a depth buffer, it leaves out edges behind other surfaces. The result counts
-    /// edges, as if [`mesh.outline`](Mesh::outline) were drawn.
+    /// Where an edge of the outline passes between the centers of two neighboring pixels, this function mixes their
+    /// colors: each pixel gets the other's color for the [share of the pixel](crate::guide::mathematics::coverage) that
+    /// lies beyond the edge. So the shape neither grows nor shrinks. The function mixes the colors on the canvas,
+    /// whatever drew them, and calls no shader. If the canvas has a depth buffer, it leaves out edges behind other
+    /// surfaces. The result counts edges, as if [`mesh.outline`](Mesh::outline) were drawn.
     ///
     /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in
     /// color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between the same two

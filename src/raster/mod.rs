@@ -89,7 +89,7 @@ pub(crate) struct Coloring {
     /// Whether the pixels of a primitive differ in more than their position. If they do not, [`Blitter::set_up`]
     /// ignores its patch.
     pub(crate) varies: bool,
-    /// Whether colors are mixed with the colors below. Then it matters how often a pixel is drawn.
+    /// Whether colors are mixed with the colors below. A pixel that is drawn twice then looks different.
     pub(crate) blends: bool,
 }
 

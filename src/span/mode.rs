@@ -57,8 +57,8 @@ pub trait Mode: Copy + Sealed {
     #[doc(hidden)]
     const KERNEL: Plan;
 
-    /// The greatest error that a varying may have, in units of the varying, if a triangle is drawn without divisions: a
-    /// small triangle, and any other triangle. With 0, no triangle is drawn without divisions.
+    /// The greatest error, in units of the varying, with which a small triangle and any other triangle may be drawn
+    /// without divisions. 0 means that both always divide.
     #[doc(hidden)]
     #[inline]
     fn affine_within(self, _tolerance: Tolerance) -> [u32; 2] {

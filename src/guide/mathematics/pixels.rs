@@ -106,7 +106,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! [`FloatDepth`](crate::canvas::FloatDepth) has steps of about the same part of the distance everywhere.
+//! A step of [`FloatDepth`](crate::canvas::FloatDepth) is about the same share of the distance everywhere.
 //!
 //! Tests: `accuracy/formulas/pixel.rs`; depths in whole scenes in `accuracy/promises.rs`.
 //!

@@ -191,8 +191,8 @@ impl<'p> Shape<'p> {
     /// lathe.
     ///
     /// The profile is a list of points (distance from the axis, height). List them as you see the right half of the
-    /// outside, from the top to the bottom. Where the list runs up, you see the surface from the axis, as the inside of
-    /// a cup. The surface is closed if the first and the last point are on the axis, or if they are the same.
+    /// outside, from the top to the bottom. Where the list runs up, it describes an inside, like a cup's. The surface
+    /// is closed if the first and the last point are on the axis, or if they are the same.
     ///
     /// The surface is smooth. **A point that is repeated makes an edge there**; on the axis, it makes a tip. The texture
     /// wraps around the axis once, and runs down the profile in proportion to its length.

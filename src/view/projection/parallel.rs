@@ -30,9 +30,9 @@ impl Projection<Parallel> {
     /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
     /// moves the other way.
     ///
-    /// The direction of this movement is `angle`, counter-clockwise from the right. Points in the near plane are drawn,
-    /// so `plane` may equal `near`. With a ratio of 1, edges that point straight back keep their length (a *cavalier*
-    /// projection); with ½, they have half of it (a *cabinet* projection).
+    /// The direction of this movement is `angle`, counter-clockwise from the right. `plane` may equal `near`. With a
+    /// ratio of 1, edges that point straight back keep their length (a *cavalier* projection); with ½, they are half as
+    /// long (a *cabinet* projection).
     ///
     /// # Errors
     ///
