@@ -59,7 +59,8 @@ impl<'a> Mesh<'a> {
     /// ```
     pub const MAX_POSITIONS: usize = Index::MAX as usize + 1;
 
-    /// A mesh of positions and the triangles between them.
+    /// A mesh of positions, and of triangles: for each, the indices of its three corners, counter-clockwise as seen
+    /// from outside.
     ///
     /// # Errors
     ///

@@ -81,7 +81,7 @@ pub struct Textured<S, const CLAMPED: bool = false, F = Nearest, D = ()> {
 }
 
 impl<S: Sampler> Textured<S> {
-    /// A shader of a repeating texture. `texture` is a reference to rows of texels, a [`Texture`](crate::Texture), or
+    /// A shader that repeats a texture. Give it a reference to rows of texels, a [`Texture`](crate::Texture), or
     /// another [`Sampler`].
     #[must_use]
     pub const fn new(texture: S) -> Self {
