@@ -222,8 +222,8 @@ errors! {
         max: u32,
     } = "{} is {}: it must be a power of two, at most {}, such as {}",
         Text(of), Number(given), Number(max), Number(nearest(given, max));
-    /// A picture with another size than the picture it belongs to: a mask, or the frame of a canvas on which a prepared
-    /// list is drawn.
+    /// Two sizes that differ and must not: of a mask and its texture, or of a canvas's frame and the frame that a list
+    /// was prepared for.
     SizeDiffers {
         /// The name of the picture.
         of: &'static str,

@@ -107,7 +107,7 @@
 //! # Promises
 //!
 //! 1. **No floating point, no allocation, no `unsafe`.** Only a few constructors accept floats, for convenience, and
-//!    they convert an `f32` by integers: for example, [`Angle::try_from_radians`] makes an angle of a sensor's float.
+//!    they convert an `f32` by integers: for example, [`Angle::try_from_radians`] turns a sensor's float into an angle.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse what cannot

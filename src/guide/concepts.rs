@@ -60,9 +60,9 @@
 //! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): two texture coordinates (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. Floats and integers that are known only when the program runs are
-//! converted by `Scalar::try_from`, `TexCoord::try_from` (one texture coordinate), `Vec3::try_from`, and the
-//! constructors of [`Angle`](crate::Angle):
+//! A literal beyond the range does not compile. Convert floats and integers that are known only when the program runs
+//! with `Scalar::try_from`, `TexCoord::try_from` (one texture coordinate), `Vec3::try_from`, or a constructor of
+//! [`Angle`](crate::Angle):
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -303,8 +303,7 @@ impl<'a, A: Copy> Sprites<'a, A> {
     }
 
     /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides the sprite, and a negative scale
-    /// turns it by 180°. A sprite is left out if a corner is farther from the eye along an axis than a `Scalar` can
-    /// express.
+    /// turns it by 180°. A sprite with a corner beyond ±32,768 in eye space is left out.
     ///
     /// # Errors
     ///

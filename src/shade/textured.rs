@@ -44,10 +44,11 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, texels};
 /// # The type
 ///
 /// The methods choose the type's parameters, which have defaults. A program [that writes the
-/// type](crate::shade#a-shader-in-a-struct) must name the parameters: the texture's type; `true` for a clamped texture; the
-/// filter, which is `Nearest`, `Bilinear` or `Trilinear` (of the module [`texture`](crate::texture)); and
-/// `shade::Mipmapped` for a mipmapped texture. [`cut_out`](Self::cut_out) makes of a texture `S` a `texture::CutOut<S, C>`,
-/// where `C` is the color, and [`masked`](Self::masked) a `shade::Masked<S, M>`, where `M` is the mask.
+/// type](crate::shade#a-shader-in-a-struct) must name the parameters: the texture's type; `true` for a clamped texture;
+/// the filter, which is `Nearest`, `Bilinear` or `Trilinear` (of the module [`texture`](crate::texture)); and
+/// `shade::Mipmapped` for a mipmapped texture. [`cut_out`](Self::cut_out) turns a texture `S` into a
+/// `texture::CutOut<S, C>`, where `C` is the color, and [`masked`](Self::masked) into a `shade::Masked<S, M>`, where
+/// `M` is the mask.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};

@@ -128,9 +128,9 @@
 //! ```
 //!
 #![cfg_attr(doc, doc = page_picture!("shiny", "A ring with highlights"))]
-//! fixel computes light at the corners of a triangle, and interpolates the brightness (Gouraud). "Phong shading" is
-//! something else than Phong's highlight: it interpolates the normal, and computes the light at each pixel.
-//! Interpolated brightness cannot show a highlight in the middle of a triangle, so shiny meshes must be fine.
+//! fixel computes light at the corners of a triangle, and interpolates the brightness (Gouraud). "Phong shading" is not
+//! Phong's highlight: it interpolates the normal, and computes the light at each pixel. Interpolated brightness cannot
+//! show a highlight in the middle of a triangle, so shiny meshes must be fine.
 //!
 //! Tests: `accuracy/formulas/light.rs`; all lights on whole meshes in `accuracy/lights.rs`.
 //!

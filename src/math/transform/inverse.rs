@@ -25,7 +25,7 @@ impl Transform {
     /// Returns the transform that undoes this one; `None` if this transform presses everything flat, so that its
     /// determinant is 0.
     ///
-    /// A determinant counts as 0 if it is not 0 only because the entries of the matrix were rounded. So a
+    /// A determinant that differs from 0 only by the rounding of the matrix's entries counts as 0. So a
     /// [shadow](Self::shadow) has no inverse, on any plane.
     ///
     /// The entries of the result's matrix are accurate to 2⁻²⁸ of its largest entry. The translation is computed from this
