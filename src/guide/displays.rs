@@ -26,11 +26,11 @@
 //! pixels as when the whole frame is drawn. Interpolated colors and texture coordinates can differ by up to the
 //! [mode's](crate::guide::modes) error, because interpolation along a row begins at the window's edge. The pattern of
 //! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
-//! coordinates of the window's corner must be multiples of 8. The method `translated` of embedded-graphics is used
-//! twice: with `canvas.translated`, text is placed by its position in the frame; with `display.translated`, the window
-//! goes to its place on the display. The window must contain both the old and the new position of the moving object.
-//! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) gives a rectangle around a mesh. This program
-//! uses the same window for all turns.
+//! coordinates of the window's corner must be multiples of 8. The program calls embedded-graphics' `translated` twice:
+//! `canvas.translated` places text by its position in the frame, and `display.translated` puts the window in its place
+//! on the display. The window must contain both the old and the new position of the moving object.
+//! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) gives a rectangle around a mesh. This
+//! program uses the same window for all turns.
 //!
 #![cfg_attr(not(doctest), doc = program!("window"))]
 //!
