@@ -11,7 +11,7 @@ use crate::math::{Vec2, Vec3};
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
 /// use fixel::prelude::*;
-/// let (mut positions, mut faces, mut normals) = ([Vec3::ZERO; 24], [[0; 3]; 12], [Vec3::ZERO; 24]);
+/// let (mut positions, mut faces, mut normals) = ([Vec3::ZERO; 8], [[0; 3]; 12], [Vec3::ZERO; 6]);
 /// let buffers = Buffers { normals: &mut normals, ..Buffers::new(&mut positions, &mut faces) };
 /// let cube = Shape::cuboid(vec3!(1, 1, 1))?.build(buffers)?;
 /// assert!(cube.has_normals() && !cube.has_uvs());
@@ -47,22 +47,34 @@ impl<'a> Buffers<'a> {
     /// Returns `counts`, but with 0 for each optional list that has an empty slice; an error if any other slice is too
     /// short.
     pub(super) const fn wanted(&self, counts: Counts) -> Result<Counts, Error> {
+        const fn if_any(values: usize, faces: usize) -> usize {
+            if values > 0 { faces } else { 0 }
+        }
         ok!(check_count(
             "positions",
             counts.positions,
             [0, self.positions.len()]
         ));
         ok!(check_count("faces", counts.faces, [0, self.faces.len()]));
+        let uvs = ok!(optional("texture coordinates", counts.uvs, self.uvs.len()));
+        let normals = ok!(optional("normals", counts.normals, self.normals.len()));
         Ok(Counts {
             edges: ok!(optional("edges", counts.edges, self.edges.len())),
-            uvs: ok!(optional("texture coordinates", counts.uvs, self.uvs.len())),
-            normals: ok!(optional("normals", counts.normals, self.normals.len())),
+            uvs,
+            uv_faces: if_any(uvs, counts.uv_faces),
+            normals,
+            normal_faces: if_any(normals, counts.normal_faces),
             ..counts
         })
     }
 
-    /// Makes a mesh of the first elements of each slice; `counts` has their numbers.
-    pub(super) const fn mesh(self, counts: Counts) -> Result<Mesh<'a>, Error> {
+    /// Makes a mesh of the first elements of each slice, and of the triangles as indices of texture coordinates and of
+    /// normals; `counts` has their numbers.
+    pub(super) const fn mesh(
+        self,
+        counts: Counts,
+        [uv_faces, normal_faces]: [&'a [[Index; 3]]; 2],
+    ) -> Result<Mesh<'a>, Error> {
         ok!(check_count(
             "positions",
             counts.positions,
@@ -74,8 +86,14 @@ impl<'a> Buffers<'a> {
                 first(self.faces, counts.faces),
                 first(self.edges, counts.edges),
             ),
-            (first(self.uvs, counts.uvs), &[]),
-            (first(self.normals, counts.normals), &[]),
+            (
+                first(self.uvs, counts.uvs),
+                first(uv_faces, counts.uv_faces),
+            ),
+            (
+                first(self.normals, counts.normals),
+                first(normal_faces, counts.normal_faces),
+            ),
             (&[], &[]),
         ))
     }

@@ -2,12 +2,13 @@
 
 use super::{Index, Mesh};
 
-/// How many elements each list of a mesh has. [`Buffers`](super::Buffers) need room for these elements.
+/// How many elements each list of a mesh has. [`Buffers`](super::Buffers) need room for these elements, except
+/// `uv_faces` and `normal_faces`.
 ///
 /// ```
 /// use fixel::mesh::Shape;
 /// let cube = Shape::cuboid(fixel::vec3!(1, 1, 1))?.counts();
-/// assert_eq!((cube.positions, cube.faces, cube.edges), (24, 12, 12));
+/// assert_eq!((cube.positions, cube.faces, cube.edges), (8, 12, 12));
 /// # Ok::<(), fixel::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -157,18 +157,19 @@ lists! {
     colors: [Rgb888] = Rgb888::new(0, 0, 0), [r g b] => Rgb888::new(r, g, b);
 }
 
-/// Makes a mesh of the first elements of each list in `$room`; `$counts` has their numbers. The lists of the mesh are
-/// statics of exactly these lengths. With `quantized`, positions have 16 bits per component; with `quantized_8`,
-/// attributes have fewer bits, too.
+/// Makes a mesh of the first elements of each list in `$room`; `$counts` has their numbers. `$own` has the triangles as
+/// indices of texture coordinates and of normals, or two empty lists. The other lists of the mesh are statics of exactly
+/// these lengths. With `quantized`, positions have 16 bits per component; with `quantized_8`, attributes have fewer bits,
+/// too.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __mesh {
-    ($room:expr, $counts:expr) => {{
+    ($room:expr, $counts:expr, $own:expr) => {{
         static POSITIONS: [$crate::Vec3; $counts.positions] =
             $crate::mesh::flash::first(&$room.positions);
-        $crate::__mesh!($room, $counts, @ $crate::mesh::Positions::long(&POSITIONS))
+        $crate::__mesh!($room, $counts, $own, @ $crate::mesh::Positions::long(&POSITIONS))
     }};
-    ($room:expr, $counts:expr, quantized) => {{
+    ($room:expr, $counts:expr, $own:expr, quantized) => {{
         #[allow(long_running_const_eval)]
         const QUANTIZED: ([[i16; 3]; $counts.positions], u32) =
             $crate::mesh::flash::quantized_positions(&$room.positions);
@@ -177,9 +178,9 @@ macro_rules! __mesh {
             $crate::mesh::Positions::quantized(&POSITIONS, QUANTIZED.1),
             "mesh",
         );
-        $crate::__mesh!($room, $counts, @ STORED)
+        $crate::__mesh!($room, $counts, $own, @ STORED)
     }};
-    ($room:expr, $counts:expr, quantized_8) => {{
+    ($room:expr, $counts:expr, $own:expr, quantized_8) => {{
         use $crate::mesh::flash::{self, Small, UvGrid};
         #[allow(long_running_const_eval)]
         const STORED: ([[u8; 2]; $counts.uvs], UvGrid) = flash::quantized_8(&$room.uvs);
@@ -188,15 +189,15 @@ macro_rules! __mesh {
         #[allow(long_running_const_eval)]
         static NORMALS: [[i8; 3]; $counts.normals] = flash::normals_of_8(&$room.normals);
         static SMALL_NORMALS: Small<'static, $crate::Vec3> = Small::normals(&NORMALS);
-        $crate::__mesh!($room, $counts, quantized)
+        $crate::__mesh!($room, $counts, $own, quantized)
             .without_uvs()
             .without_normals()
-            .with_quantized_attributes((&SMALL_NORMALS, &[]), (&SMALL_UVS, &[]))
+            .with_quantized_attributes((&SMALL_NORMALS, $own[1]), (&SMALL_UVS, $own[0]))
     }};
-    ($room:expr, $counts:expr, $other:ident) => {
+    ($room:expr, $counts:expr, $own:expr, $other:ident) => {
         ::core::compile_error!("the last argument must be `quantized`, `quantized_8` or nothing")
     };
-    ($room:expr, $counts:expr, @ $positions:expr) => {{
+    ($room:expr, $counts:expr, $own:expr, @ $positions:expr) => {{
         use $crate::mesh::flash::first;
         static FACES: [[$crate::Index; 3]; $counts.faces] = first(&$room.faces);
         static EDGES: [[$crate::Index; 2]; $counts.edges] = first(&$room.edges);
@@ -206,8 +207,8 @@ macro_rules! __mesh {
         static MESH: $crate::Mesh<'static> = $crate::Mesh::checked(Ok($crate::Mesh::of_lists(
             $positions,
             (&FACES, &EDGES),
-            (&UVS, &[]),
-            (&NORMALS, &[]),
+            (&UVS, $own[0]),
+            (&NORMALS, $own[1]),
             (&[], &[]),
         )));
         MESH

@@ -7,7 +7,7 @@ mod writer;
 
 use core::ops::Bound::{Excluded, Included, Unbounded};
 
-use super::{Buffers, Counts, Mesh};
+use super::{Buffers, Counts, Index, Mesh};
 use crate::error::{Error, check_count, check_range, ok};
 use crate::math::Vec3;
 use crate::num::Scalar;
@@ -27,8 +27,8 @@ use writer::MeshWriter;
 ///
 /// All shapes are centered on the origin, except a lathe's. Shapes have positions, unit normals, texture coordinates
 /// from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as
-/// seen from outside. Where the texture or the normal jumps, positions repeat. To resize a shape, scale it with a
-/// [`Transform`](crate::Transform).
+/// seen from outside. Where the texture or the normal jumps, positions repeat, except a cuboid's. To resize a shape,
+/// scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -76,6 +76,9 @@ impl Shape<'static> {
     /// A side is two triangles. The sides follow each other in the order front (z), right (x), back (−z), left (−x),
     /// top (y), bottom (−y), so [`Mesh::part`] can select each side, to be drawn with its own texture. Scaled by −1
     /// along x, a box becomes a sky box: a viewer inside it sees its sides and its textures the right way round.
+    ///
+    /// The sides share the box's 8 positions. Texture coordinates and normals belong to sides, so a position or an edge
+    /// that is drawn alone has none.
     ///
     /// # Errors
     ///
@@ -264,8 +267,9 @@ impl<'p> Shape<'p> {
         // The factors are below 2^15, so products fit into 32 bits.
         let Self { columns, rows, .. } = self;
         let grid = (columns + 1) * (rows + 1);
+        let [uv_faces, normal_faces] = surface::own_faces(&self);
         let (positions, faces, edges) = match self.surface {
-            Surface::Cuboid(_) => (24, 12, 12),
+            Surface::Cuboid(_) => (8, 12, 12),
             Surface::Sphere => (grid, 2 * columns * (rows - 1), columns * (2 * rows - 1)),
             Surface::Torus(_) => (grid, 2 * columns * rows, 2 * columns * rows),
             Surface::Plane => (
@@ -290,14 +294,18 @@ impl<'p> Shape<'p> {
             }
         };
         let positions = positions as usize;
+        let [uvs, normals] = match self.surface {
+            Surface::Cuboid(_) => [4, 6],
+            _ => [positions; 2],
+        };
         Counts {
             positions,
             faces: faces as usize,
             edges: edges as usize,
-            uvs: positions,
-            normals: positions,
-            uv_faces: 0,
-            normal_faces: 0,
+            uvs,
+            uv_faces: uv_faces.len(),
+            normals,
+            normal_faces: normal_faces.len(),
             colors: 0,
         }
     }
@@ -312,7 +320,16 @@ impl<'p> Shape<'p> {
     pub const fn build(self, buffers: Buffers<'_>) -> Result<Mesh<'_>, Error> {
         let mut writer = ok!(MeshWriter::new(buffers, self.counts()));
         surface::write(&mut writer, &self);
-        writer.buffers.mesh(writer.counts)
+        writer
+            .buffers
+            .mesh(writer.counts, surface::own_faces(&self))
+    }
+
+    /// The triangles as indices of texture coordinates and of normals; empty if both have the indices of the positions.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn own_faces(self) -> [&'static [[Index; 3]]; 2] {
+        surface::own_faces(&self)
     }
 }
 
@@ -358,6 +375,6 @@ macro_rules! shape {
             let _ = $crate::Mesh::checked(SHAPE.build(room.buffers()));
             room
         };
-        $crate::__mesh!(ROOM, COUNTS $(, $format)?)
+        $crate::__mesh!(ROOM, COUNTS, SHAPE.own_faces() $(, $format)?)
     }};
 }

@@ -3,6 +3,7 @@
 use super::Shape;
 use super::writer::MeshWriter;
 use crate::math::Vec3;
+use crate::mesh::Index;
 use crate::num::rsqrt::unit;
 use crate::num::{Angle, Scalar, TexCoord};
 
@@ -441,6 +442,40 @@ const fn texture(unit: i64) -> TexCoord {
     TexCoord::from_bits(((unit + ONE + (1 << 10)) >> 11) as i32)
 }
 
+/// The corners of a side of a box, in the texture: row by row.
+const CORNERS: [[bool; 2]; 4] = [[false, false], [true, false], [false, true], [true, true]];
+/// The indices of a side's triangles among its corners.
+const HALVES: [[Index; 3]; 2] = [[0, 2, 3], [0, 3, 1]];
+
+/// The triangles of a box, as indices of texture coordinates: all sides have the same four.
+static UV_FACES: [[Index; 3]; 12] = {
+    let mut faces = [HALVES[0]; 12];
+    let mut face = 0;
+    while face < 12 {
+        faces[face] = HALVES[face % 2];
+        face += 1;
+    }
+    faces
+};
+/// The triangles of a box, as indices of normals: each side has one.
+static NORMAL_FACES: [[Index; 3]; 12] = {
+    let mut faces = [[0; 3]; 12];
+    let mut face = 0;
+    while face < 12 {
+        faces[face] = [face as Index / 2; 3];
+        face += 1;
+    }
+    faces
+};
+
+/// The triangles as indices of texture coordinates and of normals; empty if both have the indices of the positions.
+pub(super) const fn own_faces(shape: &Shape<'_>) -> [&'static [[Index; 3]]; 2] {
+    match shape.surface {
+        Surface::Cuboid(_) => [&UV_FACES, &NORMAL_FACES],
+        _ => [&[]; 2],
+    }
+}
+
 const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
     /// For each side, as seen from outside: the direction of its normal, the direction to the right, and the direction
     /// down. A direction is the number of an axis, and `true` if it points along the axis or `false` if it points
@@ -453,33 +488,53 @@ const fn cuboid(writer: &mut MeshWriter<'_>, corner: Vec3) {
         [(1, true), (0, true), (2, true)],
         [(1, false), (0, true), (2, false)],
     ];
-    let corner = corner.to_bits();
+    let ends = corner.to_bits();
+    // Bit n of a position's index is set if the position lies on the negative half of axis n.
+    let mut index = 0;
+    while index < 8 {
+        let mut position = ends;
+        let mut axis = 0;
+        while axis < 3 {
+            if index >> axis & 1 == 1 {
+                position[axis] = -position[axis];
+            }
+            axis += 1;
+        }
+        writer.position(Vec3::from_bits(position));
+        index += 1;
+    }
+    let mut at = 0;
+    while at < 4 {
+        let [u, v] = CORNERS[at];
+        writer.uv([if u { UNIT } else { ZERO }, if v { UNIT } else { ZERO }]);
+        at += 1;
+    }
     let mut side = 0;
     while side < SIDES.len() {
         let [out, right, down] = SIDES[side];
-        let a = writer.positions;
         let mut normal = [0; 3];
         normal[out.0] = if out.1 { 1 << 16 } else { -(1 << 16) };
-        let mut vertex = 0;
-        while vertex < 4 {
-            let (u, v) = (vertex % 2 == 1, vertex / 2 == 1);
-            let mut position = corner;
-            if !out.1 {
-                position[out.0] = -position[out.0];
-            }
-            if u != right.1 {
-                position[right.0] = -position[right.0];
-            }
-            if v != down.1 {
-                position[down.0] = -position[down.0];
-            }
-            let uv = [if u { UNIT } else { ZERO }, if v { UNIT } else { ZERO }];
-            writer.vertex(Vec3::from_bits(position), Vec3::from_bits(normal), uv);
-            vertex += 1;
+        writer.normal(Vec3::from_bits(normal));
+        let mut corners = [0; 4];
+        let mut at = 0;
+        while at < 4 {
+            let [u, v] = CORNERS[at];
+            corners[at] = (!out.1 as u32) << out.0
+                | ((u != right.1) as u32) << right.0
+                | ((v != down.1) as u32) << down.0;
+            at += 1;
         }
-        let (b, c, d) = (a + 1, a + 2, a + 3);
-        writer.triangle([a, c, d]);
-        writer.triangle([a, d, b]);
+        let mut half = 0;
+        while half < 2 {
+            let [i, j, k] = HALVES[half];
+            writer.triangle([
+                corners[i as usize],
+                corners[j as usize],
+                corners[k as usize],
+            ]);
+            half += 1;
+        }
+        let [a, b, c, d] = corners;
         // Each of the four upright sides writes one upright edge; the top and the bottom write four edges each.
         writer.edge([a, c]);
         if out.0 == 1 {

@@ -207,6 +207,37 @@ fn sides_of_a_cuboid_are_in_the_documented_order() {
     }
 }
 
+/// The eight positions are shared; each side has one normal, and the whole texture.
+#[test]
+fn a_side_of_a_cuboid_has_its_own_normal_and_texture() {
+    for mesh in [
+        &SHAPES[0].1,
+        &shape!(cuboid(vec3!(1, 1, 1)), quantized),
+        &shape!(cuboid(vec3!(1, 1, 1)), quantized_8),
+    ] {
+        let distinct: BTreeSet<_> = points(mesh).into_iter().collect();
+        assert_eq!((distinct.len(), mesh.positions().len()), (8, 8));
+        for (side, faces) in mesh.faces().chunks(2).enumerate() {
+            let mut corners = BTreeSet::new();
+            for (half, face) in faces.iter().enumerate() {
+                let indices = Indices::of_face(2 * side + half, *face);
+                for (corner, at) in face.iter().enumerate() {
+                    let normal = float(mesh.normals.at(indices, corner).unwrap());
+                    // The position and the normal are 1 along the side's axis. A normal of 8 bits is shorter.
+                    let height = dot(float(mesh.position(*at)), normal);
+                    assert!(
+                        (height - 1.0).abs() < 0.01 && (dot(normal, normal) - 1.0).abs() < 0.02
+                    );
+                    let uv = mesh.uvs.at(indices, corner).unwrap();
+                    corners.insert(uv.to_bits().map(|x| x.div_euclid(1 << 19)));
+                }
+            }
+            let whole = BTreeSet::from([[0, 0], [2, 0], [0, 2], [2, 2]]);
+            assert_eq!(corners, whole, "side {side}");
+        }
+    }
+}
+
 /// Each component of a position is rounded by up to 2^-17.
 #[test]
 fn positions_lie_on_the_mathematical_surface() {
@@ -275,6 +306,17 @@ fn counts_are_exact() {
         let mesh = shape.build(buffers).unwrap();
         assert_eq!(mesh.edge_indices().len(), counts.edges);
         assert!(!mesh.has_uvs() && !mesh.has_normals());
+        let own = mesh.counts();
+        assert_eq!((own.uv_faces, own.normal_faces), (0, 0));
+        let mut uvs = std::vec![Vec2::ZERO; counts.uvs];
+        let mut normals = std::vec![Vec3::ZERO; counts.normals];
+        let buffers = Buffers {
+            edges: &mut edges,
+            uvs: &mut uvs,
+            normals: &mut normals,
+            ..Buffers::new(&mut positions, &mut faces)
+        };
+        assert_eq!(shape.build(buffers).unwrap().counts(), counts);
         let mut positions = std::vec![Vec3::ZERO; counts.positions - 1];
         let short = shape.build(Buffers::new(&mut positions, &mut faces));
         assert!(matches!(short, Err(Error::Count { .. })));

@@ -9,8 +9,10 @@ use crate::num::TexCoord;
 pub(super) struct MeshWriter<'a> {
     pub(super) buffers: Buffers<'a>,
     pub(super) counts: Counts,
-    /// The number of the next vertex.
+    /// The number of the next position.
     pub(super) positions: u32,
+    normals: usize,
+    uvs: usize,
     faces: usize,
     edges: usize,
 }
@@ -22,6 +24,8 @@ impl<'a> MeshWriter<'a> {
             buffers,
             counts,
             positions: 0,
+            normals: 0,
+            uvs: 0,
             faces: 0,
             edges: 0,
         })
@@ -36,16 +40,30 @@ impl<'a> MeshWriter<'a> {
         self.buffers.positions[at as usize].to_bits()
     }
 
-    pub(super) const fn vertex(&mut self, position: Vec3, normal: Vec3, [u, v]: [TexCoord; 2]) {
-        let at = self.positions as usize;
-        self.buffers.positions[at] = position;
-        if self.counts.normals > 0 {
-            self.buffers.normals[at] = normal;
-        }
-        if self.counts.uvs > 0 {
-            self.buffers.uvs[at] = Vec2::new(u, v);
-        }
+    /// Writes a position with its own normal and texture coordinate.
+    pub(super) const fn vertex(&mut self, position: Vec3, normal: Vec3, uv: [TexCoord; 2]) {
+        self.position(position);
+        self.normal(normal);
+        self.uv(uv);
+    }
+
+    pub(super) const fn position(&mut self, position: Vec3) {
+        self.buffers.positions[self.positions as usize] = position;
         self.positions += 1;
+    }
+
+    pub(super) const fn normal(&mut self, normal: Vec3) {
+        if self.counts.normals > 0 {
+            self.buffers.normals[self.normals] = normal;
+            self.normals += 1;
+        }
+    }
+
+    pub(super) const fn uv(&mut self, [u, v]: [TexCoord; 2]) {
+        if self.counts.uvs > 0 {
+            self.buffers.uvs[self.uvs] = Vec2::new(u, v);
+            self.uvs += 1;
+        }
     }
 
     pub(super) const fn triangle(&mut self, [a, b, c]: [u32; 3]) {

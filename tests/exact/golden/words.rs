@@ -35,6 +35,7 @@ static RING: Mesh = shape!(torus(fx!(0.45), 24, 12));
 static BALL: Mesh = shape!(sphere(16, 12));
 static CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
 static SMALL_CUBE: Mesh = shape!(cuboid(vec3!(1, 1, 1)), quantized_8);
+static DRUM: Mesh = shape!(cylinder(5));
 static SHEET: Mesh = shape!(plane(2, 2));
 static EDGES_OF_CUBE: Outline = outline!(CUBE, deg!(30));
 static EDGES_OF_BALL: Outline = outline!(BALL, deg!(170));
@@ -149,7 +150,7 @@ const WORDS: &[Word] = &[
         let parts = parts.map(|(faces, color)| Part::new(faces, Material::new(color)));
         surface(c, &RING, PartColors::rgb(&parts))
     }),
-    ("Gouraud", 0x53bb_453d, |c| {
+    ("Gouraud", 0x5ac0_0bb5, |c| {
         let colors = colors(CUBE.positions().len());
         let gouraud = Gouraud::<Rgb888>::new();
         with(c, &CUBE.with_colors(&colors, None)?, &Erased::new(&gouraud))
@@ -311,8 +312,8 @@ const WORDS: &[Word] = &[
     ("smooth lines", 0xd9f0_08ad, |c| {
         with(c, BALL.edges(LineStyle::HAIRLINE.smooth()), &PLAIN)
     }),
-    ("wide lines", 0x8db7_40a5, |c| {
-        with(c, CUBE.edges(LineStyle::wide(fx!(3.3))?), &SKINNED)
+    ("wide lines", 0x7a4a_8316, |c| {
+        with(c, DRUM.edges(LineStyle::wide(fx!(3.3))?), &SKINNED)
     }),
     ("smooth wide lines", 0x3478_5065, |c| {
         with(c, CUBE.edges(LineStyle::wide(fx!(2.6))?.smooth()), &PLAIN)
@@ -358,7 +359,7 @@ const WORDS: &[Word] = &[
     ("quantized", 0xd988_58c2, |c| {
         with(c, &SMALL_CUBE, &SKINNED.lit(sun()?))
     }),
-    ("smooth normals", 0x7824_927e, |c| {
+    ("smooth normals", 0x71e4_b386, |c| {
         let mut normals = vec![Vec3::ZERO; CUBE.positions().len()];
         surface(
             c,
