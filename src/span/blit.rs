@@ -11,7 +11,7 @@ use super::mode::Mode;
 use super::pixels::{BiasOf, Count, FaceOf, Numbers, Pixels, Span, rolled};
 use super::plan::Plan;
 use super::scale::Scale;
-use super::setup::{Planes, SPAN, Varying, unpaired};
+use super::setup::{Planes, SPAN, Setup, Varying, unpaired};
 use super::shading::Shading;
 use crate::canvas::{Canvas, DepthBuffer, DepthTest, Storage, WideFloatDepth};
 use crate::mesh::Primitive;
@@ -102,6 +102,48 @@ where
                 pixels.solid(cells, Count::<S>::splat(0));
             }
             row += 1;
+            begin = begin.wrapping_add(memory.width);
+        }
+    }
+
+    /// Draws rows of a small triangle without varyings. The numbers that all rows share are few, so they stay in
+    /// registers.
+    #[inline(always)]
+    #[allow(clippy::explicit_counter_loop, clippy::explicit_iter_loop)] // zip and `into_iter` are calls without LTO
+    fn small_flat_rows(&mut self, first: i32, rows: &[Columns]) {
+        let (shading, face, bias) = (self.shading, self.face, self.bias);
+        let Setup { q, down, .. } = &self.interpolator.planes.setup;
+        let (step, next_row, down) = (q.step, q.row, *down);
+        let mut q = q.small_at(0, first);
+        let mut memory = self.canvas.memory();
+        let (mut row, mut begin) = (first, memory.begin(first.cast_unsigned()));
+        for &[start, end] in rows.iter() {
+            let (x, columns) = (
+                i32::from(start),
+                i32::from(start).cast_unsigned()..i32::from(end).cast_unsigned(),
+            );
+            let pixels = Pixels {
+                shading,
+                face,
+                bias,
+                point: Point::new(x - 1, row),
+                depth: 0,
+                code: 0,
+                canvas: PhantomData,
+            };
+            if let Some(cells) = memory.reborrow().cells_from(begin, columns) {
+                let span = Span {
+                    q: q.wrapping_add(step.wrapping_mul(x)).cast_unsigned(),
+                    p: Count::<S>::splat(0),
+                    dq: step,
+                    dp: Count::<S>::splat(0),
+                    down,
+                    count: cells.len(),
+                };
+                pixels.straight::<true>(span, cells, |_, _, p| *p);
+            }
+            row += 1;
+            q = q.wrapping_add(next_row);
             begin = begin.wrapping_add(memory.width);
         }
     }
@@ -290,7 +332,11 @@ where
         // compiled.
         if Self::VARIES {
             if Self::HAS_SMALL && self.interpolator.plan == Plan::Small {
-                self.small_rows::<false>(first, rows);
+                if Self::INTERPOLATES || cfg!(for_size) {
+                    self.small_rows::<false>(first, rows);
+                } else {
+                    self.small_flat_rows(first, rows);
+                }
             } else if Self::HAS_SMALL_OVER_W && self.interpolator.plan == Plan::SmallOverW {
                 self.small_rows::<true>(first, rows);
             } else {
