@@ -74,6 +74,7 @@ pub use placement::Missing;
 pub(crate) use placement::Placement;
 pub use positions::Positions;
 pub(crate) use positions::{List, StoredPosition};
+pub(crate) use primitive::Reads;
 pub use primitive::{Corner, Primitive};
 pub use shapes::Shape;
 pub use sprites::Sprites;

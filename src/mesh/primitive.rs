@@ -171,18 +171,18 @@ impl Primitive<'_> {
         })
     }
 
-    /// Like [`corners`](Self::corners), for numbers that depend only on the positions and normals of the corners. They are
-    /// looked up in the draw call's cache, if there is one and `keeps` is true. `numbers` has the right length.
+    /// Like [`corners`](Self::corners), for numbers that depend only on what `reads` says. They are looked up in the draw
+    /// call's cache, if there is one and `keeps` is true. `numbers` has the right length.
     #[inline]
     pub(crate) fn cached_corners<N: Copy + AsRef<[i32]> + AsMut<[i32]>>(
         &self,
-        keeps: bool,
+        (keeps, reads): (bool, Reads),
         numbers: N,
         mut f: impl FnMut(&Corner<'_>) -> N,
     ) -> [N; 3] {
         let cache = self.placement.corners.filter(|_| keeps);
         self.corners(
-            |corner| match cache.and_then(|cache| Some((cache, corner.key()?))) {
+            |corner| match cache.and_then(|cache| Some((cache, corner.key(reads)?))) {
                 Some((cache, key)) => cache.numbers(key, numbers, || f(corner)),
                 None => f(corner),
             },
@@ -242,6 +242,14 @@ impl Primitive<'_> {
     }
 }
 
+/// What the numbers that an effect keeps for a corner depend on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reads {
+    Position,
+    Normal,
+    Both,
+}
+
 /// A corner of a triangle, an end of an edge, or a point that is about to be drawn.
 ///
 /// ```
@@ -283,24 +291,27 @@ impl Corner<'_> {
         index.copied().unwrap_or_default()
     }
 
-    /// The indices of the position and, if normals have indices of their own, of the normal. `None` if other corners
-    /// have a normal of their own, but this one has the normal of its triangle.
+    /// The indices of what `reads` says, in one number. `None` if other corners have a normal of their own, but this one
+    /// has the normal of its triangle.
     #[inline]
-    fn key(&self) -> Option<u32> {
+    fn key(&self, reads: Reads) -> Option<u32> {
         let Primitive {
             placement, indices, ..
         } = self.primitive;
         let normals = &placement.mesh.normals;
-        let normal = if normals.faces.is_none() {
-            0
-        } else {
-            let normal = normals.index(*indices, self.corner)?;
-            if normal >= normals.values.len() {
-                return None;
-            }
-            normal as u32
-        };
-        Some(u32::from(self.index()) | normal << 16)
+        let position = u32::from(self.index());
+        if reads == Reads::Position || normals.faces.is_none() {
+            return Some(position);
+        }
+        let normal = normals.index(*indices, self.corner)?;
+        if normal >= normals.values.len() {
+            return None;
+        }
+        let normal = normal as u32;
+        Some(match reads {
+            Reads::Normal => normal,
+            _ => position | normal << 16,
+        })
     }
 
     /// The position in model space.
@@ -378,8 +389,11 @@ impl Corner<'_> {
 
 #[cfg(test)]
 mod tests {
+    use core::array::from_fn;
+
     use super::*;
-    use crate::{Mesh, Transform};
+    use crate::mesh::CornerCache;
+    use crate::{Mesh, Transform, shape, vec3};
 
     /// The test includes corners at the ends of the range.
     #[test]
@@ -403,6 +417,37 @@ mod tests {
             // The result is within one unit of a third of the sum.
             assert!((3 * i64::from(x) - sum).abs() <= 3, "{corners:?}: {x}");
             assert_eq!((y, z), (0, x));
+        }
+    }
+
+    /// A box has 8 positions and 6 normals, and 24 pairs of a position and a normal.
+    #[test]
+    fn numbers_are_kept_for_each_position_or_normal_or_both() {
+        static BOX: Mesh = shape!(cuboid(vec3!(1, 2, 3)));
+        for (reads, different) in [(Reads::Position, 8), (Reads::Normal, 6), (Reads::Both, 24)] {
+            let cache = CornerCache::new();
+            let mut placement = Placement::new(&BOX, &Transform::IDENTITY, Transform::IDENTITY);
+            placement.corners = Some(&cache);
+            let mut computed = 0;
+            for (face, corners) in BOX.faces().iter().enumerate() {
+                let primitive = placement.primitive(Indices::of_face(face, *corners), 0);
+                let numbers = |corner: &Corner<'_>| {
+                    let (position, normal) = (corner.position(), corner.normal());
+                    let [position, normal] = [position, normal].map(Vec3::to_bits);
+                    let is_read = [reads != Reads::Normal, reads != Reads::Position];
+                    from_fn(|at| {
+                        let of = [position, normal][at / 3][at % 3];
+                        if is_read[at / 3] { of } else { 0 }
+                    })
+                };
+                let kept = primitive.cached_corners((true, reads), [0; 6], |corner| {
+                    computed += 1;
+                    numbers(corner)
+                });
+                assert_eq!(kept, primitive.corners(numbers));
+            }
+            // The four corners of a side follow each other, so none of them is computed twice.
+            assert_eq!(computed, different, "{reads:?}");
         }
     }
 }

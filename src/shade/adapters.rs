@@ -7,7 +7,7 @@ use super::{
     Channels, ColorOf, Fragment, Illumination, Lanes, Output, PixelFormat, Precise, PreciseOf,
     Shader, Varyings, Within,
 };
-use crate::mesh::{Corner, Primitive};
+use crate::mesh::{Corner, Primitive, Reads};
 
 /// A surface and an effect. The effect changes the surface's output and has varyings of its own.
 #[doc(hidden)]
@@ -37,20 +37,21 @@ pub trait Effect<O: Output>: Copy {
     fn apply(&self, output: O, varyings: Self::Varyings) -> Self::Color;
 }
 
-/// The values at the corners of a primitive, from the draw call's cache if `keeps` is true. They may depend only on the
-/// positions and normals of the corners.
+/// The values at the corners of a primitive, from the draw call's cache if `keeps` is true. They may depend only on what
+/// `reads` says.
 #[inline]
 pub(super) fn cached<V: Varyings>(
     primitive: &Primitive<'_>,
-    keeps: bool,
+    (keeps, reads): (bool, Reads),
     mut values: impl FnMut(&Corner<'_>) -> V,
 ) -> [V; 3] {
     const { assert!(size_of::<V::Face>() == 0) };
     if cfg!(for_size) {
         return primitive.corners(values);
     }
-    let numbers =
-        primitive.cached_corners(keeps, V::Lanes::splat(0), |corner| values(corner).split().0);
+    let numbers = primitive.cached_corners((keeps, reads), V::Lanes::splat(0), |corner| {
+        values(corner).split().0
+    });
     numbers.map(|numbers| V::join(numbers, V::Face::default()))
 }
 

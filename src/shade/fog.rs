@@ -9,7 +9,7 @@ use super::adapters::cached;
 use super::ramp::Ramp;
 use super::{Adapted, Effect, Output, PixelFormat, Precise, Within};
 use crate::error::{Error, check_above, check_range, ok};
-use crate::mesh::Primitive;
+use crate::mesh::{Primitive, Reads};
 use crate::num::Scalar;
 use crate::num::wide::clamp_negative;
 use crate::sealed::Sealed;
@@ -245,7 +245,7 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
 
     #[inline]
     fn varyings(&self, primitive: &Primitive<'_>, keeps: bool) -> [Self::Varyings; 3] {
-        cached(primitive, keeps, |corner| {
+        cached(primitive, (keeps, Reads::Position), |corner| {
             Within(self.density.varying(corner.distance(), O::IS_PLAIN))
         })
     }

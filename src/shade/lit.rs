@@ -5,7 +5,7 @@ use super::format::FRACTION;
 use super::light::{self, FULL, Illumination, Light, Lighting, SurfacePoint};
 use super::{Adapted, Channels, Effect, Output, PerFace, PixelFormat, Within};
 use crate::math::Direction;
-use crate::mesh::{Corner, Primitive};
+use crate::mesh::{Corner, Primitive, Reads};
 
 /// A surface under light that is computed at the vertices and interpolated (Gouraud shading); see [`Shader::lit`].
 ///
@@ -47,7 +47,13 @@ impl<O: Output<Color: PixelFormat>, L: Lighting> Effect<O> for ByVertex<L> {
             let point = SurfacePoint::new::<L>(normal, face, || corner.world_position());
             Within(self.0.at(&point).pack::<O::Color>())
         };
-        cached(primitive, keeps && has_normals && !L::READS_FACE, light)
+        let reads = if L::READS_POSITION {
+            Reads::Both
+        } else {
+            Reads::Normal
+        };
+        let keeps = keeps && has_normals && !L::READS_FACE;
+        cached(primitive, (keeps, reads), light)
     }
 
     #[inline]
