@@ -7,10 +7,13 @@ use fixel::mesh::{Buffers, Counts, Shape};
 use fixel::prelude::*;
 
 /// The triangles of the outer cube, then the triangles of the inner cube.
-pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces));
+pub static INWARDS: Mesh = mesh(Mesh::new(&CUBES.positions, &CUBES.faces), &UV_FACES);
 /// The same triangles in reverse order, with 16-bit positions. The positions have the same values, but a Cortex-M0+
 /// transforms them with other code.
-pub static OUTWARDS: Mesh = mesh(Mesh::quantized(&QUANTIZED.0, QUANTIZED.1, &REVERSED));
+pub static OUTWARDS: Mesh = mesh(
+    Mesh::quantized(&QUANTIZED.0, QUANTIZED.1, &reversed(&CUBES.faces)),
+    &reversed(&UV_FACES),
+);
 
 const SHAPES: [Result<Shape, Error>; 2] = [
     Shape::cuboid(vec3!(1, 1, 1)),
@@ -24,21 +27,21 @@ const COUNTS: Counts = match SHAPES[0] {
 
 struct Cubes {
     positions: [Vec3; 2 * COUNTS.positions],
-    uvs: [Vec2; 2 * COUNTS.uvs],
+    /// Both cubes show the texture in the same way.
+    uvs: [Vec2; COUNTS.uvs],
     faces: [[u16; 3]; 2 * COUNTS.faces],
 }
 
 static CUBES: Cubes = {
     let mut cubes = Cubes {
         positions: [Vec3::ZERO; 2 * COUNTS.positions],
-        uvs: [vec2!(0, 0); 2 * COUNTS.uvs],
+        uvs: [vec2!(0, 0); COUNTS.uvs],
         faces: [[0; 3]; 2 * COUNTS.faces],
     };
     let (outer_positions, inner_positions) = cubes.positions.split_at_mut(COUNTS.positions);
-    let (outer_uvs, inner_uvs) = cubes.uvs.split_at_mut(COUNTS.uvs);
     let (outer_faces, inner_faces) = cubes.faces.split_at_mut(COUNTS.faces);
-    build(SHAPES[0], outer_positions, outer_uvs, outer_faces);
-    build(SHAPES[1], inner_positions, inner_uvs, inner_faces);
+    build(SHAPES[0], outer_positions, &mut cubes.uvs, outer_faces);
+    build(SHAPES[1], inner_positions, &mut cubes.uvs, inner_faces);
     // The vertices of the inner cube follow the vertices of the outer cube.
     let mut at = 0;
     while at < COUNTS.faces {
@@ -55,15 +58,30 @@ static QUANTIZED: ([[i16; 3]; 2 * COUNTS.positions], u32) = match INWARDS.quanti
     Err(_) => panic!("the counts are exact"),
 };
 
-static REVERSED: [[u16; 3]; 2 * COUNTS.faces] = {
+/// The triangles of both cubes, as indices of texture coordinates.
+static UV_FACES: [[u16; 3]; 2 * COUNTS.faces] = {
+    let [of_cube, _] = match SHAPES[0] {
+        Ok(cube) => cube.own_faces(),
+        Err(_) => panic!("no cube"),
+    };
     let mut faces = [[0; 3]; 2 * COUNTS.faces];
     let mut at = 0;
     while at < faces.len() {
-        faces[at] = CUBES.faces[faces.len() - 1 - at];
+        faces[at] = of_cube[at % of_cube.len()];
         at += 1;
     }
     faces
 };
+
+const fn reversed<const N: usize>(faces: &[[u16; 3]; N]) -> [[u16; 3]; N] {
+    let mut reversed = [[0; 3]; N];
+    let mut at = 0;
+    while at < N {
+        reversed[at] = faces[N - 1 - at];
+        at += 1;
+    }
+    reversed
+}
 
 const fn build(
     shape: Result<Shape, Error>,
@@ -79,6 +97,6 @@ const fn build(
     }
 }
 
-const fn mesh(mesh: Result<Mesh<'static>, Error>) -> Mesh<'static> {
-    Mesh::checked(Mesh::checked(mesh).with_uvs(&CUBES.uvs, None))
+const fn mesh(mesh: Result<Mesh<'static>, Error>, uv_faces: &'static [[u16; 3]]) -> Mesh<'static> {
+    Mesh::checked(Mesh::checked(mesh).with_uvs(&CUBES.uvs, Some(uv_faces)))
 }
