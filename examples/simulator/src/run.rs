@@ -99,8 +99,7 @@ fn own(args: &Args) -> Result<()> {
         lines: sight.lines,
         motion: &|_, other| {
             let (scene, plain) = Scene::own(other, &island).ok()?;
-            let is_other = [plain.near, plain.far] != [framing.near, framing.far];
-            is_other.then_some(scene.motion)
+            (!plain.has_planes_of(&framing)).then_some(scene.motion)
         },
     };
     stage.show(args, targets, notes, Some(sight))?;

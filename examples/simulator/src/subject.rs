@@ -89,8 +89,7 @@ impl Subject {
         let mut framing = frame(args, &points, &solid, solid.middle)?;
         let others = ["near", "far"].into_iter().filter_map(|option| {
             let other = frame(&args.without(option)?, &points, &solid, solid.middle).ok()?;
-            let is_other = [other.near, other.far] != [framing.near, framing.far];
-            (is_other && !args.window).then_some((option, other))
+            (!other.has_planes_of(&framing) && !args.window).then_some((option, other))
         });
         let others = others.collect();
         if args.window {

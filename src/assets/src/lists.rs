@@ -261,7 +261,11 @@ impl Model {
             }
         }
         let turned = |[x, y, z]: Vector| if options.z_up { [x, z, -y] } else { [x, y, z] };
-        let origin = options.center.then(|| self.middle()).unwrap_or_default();
+        let origin = if options.center {
+            self.middle()
+        } else {
+            [0.0; 3]
+        };
         let placed = |position: &Vector| turned(sub(*position, origin));
         let sizes = model.positions.iter().map(|at| largest(placed(at)));
         let most = sizes.fold(0.0, f64::max);

@@ -8,7 +8,10 @@ use super::program::{Bench, TRIANGLE};
 /// What the program must say, as lines.
 fn lines(says: Result<Vec<String>, String>, name: &str) -> String {
     match says {
-        Ok(notes) => notes.iter().map(|note| format!("note: {note}\n")).collect(),
+        Ok(notes) => {
+            let lines: Vec<_> = notes.iter().map(|note| format!("note: {note}\n")).collect();
+            lines.concat()
+        }
         Err(why) => format!("error: model {name}: {why}\n"),
     }
 }
@@ -77,7 +80,8 @@ fn pictures_in_other_formats_are_named_wherever_they_are() {
                 assert_eq!(notes, wanted, "{model}");
             }
         }
-        let escaped: String = bytes.iter().map(|byte| format!("%{byte:02x}")).collect();
+        let escaped: Vec<_> = bytes.iter().map(|byte| format!("%{byte:02x}")).collect();
+        let escaped = escaped.concat();
         bench.write(
             "g.gltf",
             gltf(&format!(r#"{{"uri": "data:image/png,{escaped}"}}"#)),

@@ -158,12 +158,13 @@ fn the_macros_say_what_the_other_readers_say() {
         let said = said.map(|notes| notes.into_iter().map(short).collect());
         let advice = ", or name what to keep: object = \"name\" or part = \"name\"";
         let wanted = kind.says.clone().map(|notes| {
-            let notes = notes
-                .into_iter()
-                .map(|note| match note.contains("too small to see") {
-                    true => note + advice,
-                    false => note,
-                });
+            let notes = notes.into_iter().map(|note| {
+                if note.contains("too small to see") {
+                    note + advice
+                } else {
+                    note
+                }
+            });
             notes.collect::<Vec<_>>()
         });
         assert_eq!(said.map_err(short), wanted, "{files:?}");
