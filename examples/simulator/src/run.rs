@@ -178,7 +178,9 @@ impl Stage<'_> {
             if frame.is_none() {
                 frame = Some(self.frame(args)?);
             }
-            if frame == Some(Stage { scene, ..*self }.frame(&other)?) {
+            // Without the option, another one can be wrong: then the picture differs, too.
+            let stage = Stage { scene, ..*self };
+            if frame == stage.frame(&other).ok() {
                 let picture = if args.frames > 1 {
                     "the first frame"
                 } else {

@@ -124,4 +124,6 @@ fn an_option_without_effect_is_named() {
         let notes = shot(effective).1;
         assert!(!notes.contains(option), "{effective}: {notes}");
     }
+    // Without the shade, the fog would be an error.
+    bench.good("t.obj --shade wire --fog 0,1e-9");
 }
