@@ -23,7 +23,8 @@
 /// The path is relative to the source file. The program is compiled again when the model's file changes, or a file that
 /// the model names. A file that cannot be read stops compilation, with a message that names the file and the line or
 /// the byte. If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints
-/// a warning, one for each kind. `#[allow(deprecated)]` on the `static` silences these warnings.
+/// a warning, one for each kind. It also warns if a few faces are so far away that the others are too small to see;
+/// `object` or `part` can leave these faces out. `#[allow(deprecated)]` on the `static` silences these warnings.
 ///
 /// | option | meaning |
 /// |---|---|

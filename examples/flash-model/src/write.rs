@@ -65,7 +65,7 @@ pub fn write(
     };
     let lists = model.lists(&options).map_err(of_model)?;
     let (parts, pictures) = parts(&mut model, files, spare);
-    notes.extend(model.notes.iter());
+    notes.extend(model.notes.iter().chain(model.far.clone()));
 
     let (positions, fraction) = lists.quantized_positions();
     let normals = lists.normals.iter();

@@ -14,10 +14,10 @@ pub const HELP: &str = include_str!("help.txt");
 
 /// The arguments: see [`HELP`].
 #[allow(clippy::struct_excessive_bools)] // flags
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Args {
-    /// The names of the options that the user gave.
-    pub given: Vec<&'static str>,
+    /// The options that the user gave, with their values.
+    given: Vec<(&'static str, OsString)>,
     pub model: Option<PathBuf>,
     pub texture: Option<PathBuf>,
     pub scene: Option<SceneName>,
@@ -96,10 +96,18 @@ choice!(Mode: Newton "newton", Exact "exact", Fast "fast", Affine "affine",);
 choice!(DepthBuffer: Linear "linear", Float "float", Wide "wide",);
 choice!(Color: Rgb565 "rgb565", Rgb888 "rgb888", Gray8 "gray8", Gray4 "gray4", Mono "mono",);
 
-/// The options that work without a model. The project's own scene and the measured scenes define all other settings.
-const WITHOUT_MODEL: &[&str] = &[
-    "scene", "mode", "depth", "color", "size", "bands", "frames", "out", "dump", "crc", "quiet",
-    "window",
+/// The options that work with `--scene`. The measured scenes define all other settings.
+const WITH_SCENE: &[&str] = &[
+    "scene", "mode", "depth", "color", "bands", "frames", "out", "dump", "crc", "quiet", "window",
+];
+
+/// The options that the project's own scene does not take, and what it has instead.
+const WITH_MODEL: [(&str, &str); 2] = [
+    ("texture", "the project's own scene keeps its textures"),
+    (
+        "cull",
+        "the project's own scene always hides backs of faces",
+    ),
 ];
 
 /// The options in [`HELP`]: the name of each, and whether a value follows.
@@ -119,11 +127,7 @@ impl Args {
     /// The first argument that is refused, and what may stand there.
     pub fn parse() -> Result<Self, String> {
         let mut parser = Parser::from_env();
-        let mut args = Self {
-            size: (320, 240),
-            frames: 1,
-            ..Self::default()
-        };
+        let mut args = Self::unset();
         while let Some(arg) = parser.next().map_err(|error| error.to_string())? {
             let wanted = match arg {
                 Arg::Long(name) => name.to_string(),
@@ -142,20 +146,52 @@ impl Args {
             let Some((name, has_value)) = options().find(|(name, _)| *name == wanted) else {
                 return Err(unknown(&wanted));
             };
-            if args.given.contains(&name) && name != "light" {
+            if args.has(name) && name != "light" {
                 return Err(format!("--{name} is given twice"));
             }
-            args.given.push(name);
             let value = if has_value {
                 parser.value().map_err(|error| error.to_string())?
             } else {
                 OsString::new()
             };
+            if has_value && value.is_empty() {
+                return Err(format!("--{name}: its value is empty"));
+            }
             args.set(name, &value)
                 .map_err(|problem| format!("--{name} {}: {problem}", value.display()))?;
+            args.given.push((name, value));
         }
         args.check()?;
         Ok(args)
+    }
+
+    /// The arguments of an empty command line.
+    fn unset() -> Self {
+        Self {
+            size: (320, 240),
+            frames: 1,
+            ..Self::default()
+        }
+    }
+
+    /// Whether the user gave this option.
+    pub fn has(&self, name: &str) -> bool {
+        self.given.iter().any(|(given, _)| *given == name)
+    }
+
+    /// The arguments without one of the options that the user gave; `None` if the arguments stay the same.
+    pub fn without(&self, name: &str) -> Option<Self> {
+        let mut args = Self {
+            model: self.model.clone(),
+            ..Self::unset()
+        };
+        for (other, value) in &self.given {
+            if *other != name {
+                args.set(other, value).ok()?;
+            }
+        }
+        args.given.clone_from(&self.given);
+        (args != *self).then_some(args)
     }
 
     /// Sets an option. Flags have an empty value.
@@ -206,16 +242,19 @@ impl Args {
         if self.scene.is_some() && self.model.is_some() {
             return Err("--scene cannot be used with a model".into());
         }
-        if self.scene.is_some() && self.given.contains(&"size") {
-            return Err(
-                "--scene cannot be used with --size: its pictures have 320x240 pixels".into(),
-            );
+        for (name, _) in &self.given {
+            if self.scene.is_some() && !WITH_SCENE.contains(name) {
+                return Err(format!(
+                    "--{name} cannot be used with --scene: a measured scene keeps its camera, look and size; \
+                     leave out --scene, or draw a model"
+                ));
+            }
+            let other = WITH_MODEL.iter().find(|(other, _)| other == name);
+            if let (Some((_, why)), None) = (other, &self.model) {
+                return Err(format!("--{name} needs a model: {why}"));
+            }
         }
-        let needs_model = |name: &&&str| !WITHOUT_MODEL.contains(*name);
-        match self.given.iter().find(needs_model) {
-            Some(name) if self.model.is_none() => Err(format!("--{name} needs a model")),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// The direction that is up.

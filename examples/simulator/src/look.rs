@@ -7,12 +7,14 @@ use fixel::prelude::*;
 use fixel::shade::{Colored, Light, PixelFormat, TwoSided, Viewer};
 
 use super::Result;
+use super::common::lighthouse;
 use crate::args::{Args, Shade};
 use crate::scene::{Moment, Motion, Scene};
 use crate::view::direction;
 
-/// The default ambient light, which reaches every face.
+/// The default ambient light, which reaches every face: of a model, and of the project's own scene.
 const AMBIENT: f64 = 0.3;
+const OWN_AMBIENT: f64 = 0.4;
 
 /// The default background, and then the background behind dark models.
 pub const DARK: Rgb888 = Rgb888::new(34, 40, 52);
@@ -47,17 +49,16 @@ impl Backdrop {
     /// Returns the backdrop for a canvas of color `C`: the background that the user chose, or otherwise a background
     /// that suits the shading and the color.
     pub fn of<C: PixelFormat>(args: &Args, scene: &Scene<'_>) -> Self {
-        let Some(shade) = scene.shade else {
-            // In black and white, a dithered sky would hide the scene.
-            return if scene.is_own && C::MAX_STEPS[0] > 1 {
-                Self::Sky
-            } else {
-                Self::Color(Rgb888::BLACK)
-            };
-        };
-        Self::Color(match (args.background, shade) {
+        Self::Color(match (args.background, scene.shade) {
             (Some(color), _) => color,
-            (None, Shade::Wire | Shade::Depth) => Rgb888::BLACK,
+            (None, Some(Shade::Wire | Shade::Depth)) => Rgb888::BLACK,
+            // In black and white, a dithered sky would hide the scene.
+            (None, shade)
+                if scene.is_own && C::MAX_STEPS[0] > 1 && shade != Some(Shade::Normal) =>
+            {
+                return Self::Sky;
+            }
+            (None, None) => Rgb888::BLACK,
             // In dithered formats, another background would show a pattern.
             _ if C::MAX_STEPS[0] < 31 => Rgb888::BLACK,
             _ => DARK,
@@ -67,7 +68,7 @@ impl Backdrop {
 
 /// Everything that determines a picture's colors, except the surface itself.
 pub struct Look {
-    /// `None` for the measured scenes and for the project's own scene.
+    /// `None` for a scene that has shaders of its own.
     pub shade: Option<Shade>,
     /// The background of the picture, before it is converted to the canvas's format.
     pub backdrop: Backdrop,
@@ -95,8 +96,9 @@ impl Look {
             Motion::Turning { view, .. } => (view.sun, view.mvp(Transform::IDENTITY).viewer()),
             measured @ Motion::Measured(_) => (Vec3::Y, measured.mvp(Moment::default())?.viewer()),
         };
-        let ambient = Scalar::try_from(args.ambient.unwrap_or(AMBIENT))?;
-        let diffuse = Scalar::try_from(1.0 - AMBIENT)?;
+        let default = if scene.is_own { OWN_AMBIENT } else { AMBIENT };
+        let ambient = Scalar::try_from(args.ambient.unwrap_or(default))?;
+        let diffuse = Scalar::try_from(1.0 - default)?;
         // Only the first light has the ambient light.
         let mut shares = [ambient].into_iter();
         let mut light = |toward, color: Rgb888| -> Result<Colored<Light>> {
@@ -112,7 +114,7 @@ impl Look {
         }
         let far_away = match backdrop {
             Backdrop::Color(color) => color,
-            Backdrop::Sky => Rgb888::BLACK,
+            Backdrop::Sky => lighthouse::sky_color(1, 1),
         };
         let haze = args.fog.map(|Haze { near, far, color }| {
             let number = |value: f64| {

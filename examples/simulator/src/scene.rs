@@ -14,11 +14,14 @@ use super::Result;
 use super::common::{lighthouse, scenes};
 use super::draw::{AnyMvp, Posed, Style};
 use super::mode::{Mode, with_depth};
-use super::view::{AnyProjection, View, direction};
+use super::view::{View, direction};
 use super::window::Orbit;
 use crate::args::{Args, DepthBuffer, SceneName, Shade};
 use crate::dump::{Record, Recorder, Recording};
-use crate::part::{Part, Piece};
+use crate::framing::{Framing, Point, Solid, about};
+use crate::part::{CLAY, Finish, Part, Piece};
+use crate::skin::Skin;
+use crate::units::Units;
 
 /// The number of an animation's frame, and how the user has turned the model in a window.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,8 +85,10 @@ pub struct Scene<'a> {
     pub motion: Motion,
     pub mode: Mode,
     pub depth: DepthBuffer,
-    /// `None` for the measured scenes and for the project's own scene.
+    /// `None` for the measured scenes and for the project's own scene, unless an option changes the look of the latter.
     pub shade: Option<Shade>,
+    /// The shade if the user names none.
+    pub default_shade: Shade,
     /// Whether this is the project's own scene, with its sea and sky.
     pub is_own: bool,
     /// The mode in which the recorder draws.
@@ -114,31 +119,93 @@ pub fn island() -> Result<Part> {
     Part::whole(&fixel_assets::read(Path::new("lighthouse.obj"), &Island)?)
 }
 
+/// The textures of the project's own scene: of the island and of the sea.
+pub fn own_skins() -> [Skin; 2] {
+    [
+        Skin::of_rows(&lighthouse::SKIN),
+        Skin::of_rows(&lighthouse::WAVES),
+    ]
+}
+
+/// The mean color of the sea.
+const SEA: Rgb888 = Rgb888::new(41, 106, 151);
+
+/// The options with which the project's own scene is drawn as a model is: without the shaders of its own.
+const LOOK: [&str; 5] = ["shade", "filter", "light", "ambient", "fog"];
+
+/// The planes of the project's own scene, if the user does not move the camera.
+const PLANES: [f64; 2] = [1.0, 140.0];
+
 impl<'a> Scene<'a> {
-    /// The project's own scene, as a microcontroller draws it.
+    /// The project's own scene, with the camera and the look of `args`. By default, it is the picture that a
+    /// microcontroller draws.
     ///
     /// # Errors
     ///
-    /// None: the scene's numbers are constant.
-    pub fn own(args: &Args, island: &'a Part) -> Result<Self> {
-        let view = View {
-            projection: AnyProjection::Perspective(lighthouse::projection(args.size)?),
-            camera: lighthouse::camera()?,
-            sun: lighthouse::SUN,
-            up: Vec3::Y,
-            depths: [0; 2],
+    /// The camera of `args` shows nothing.
+    pub fn own(args: &Args, island: &'a Part) -> Result<(Self, Framing)> {
+        let finish = |texture, color, is_unlit| Finish {
+            color,
+            is_unlit,
+            cull: Cull::Back,
+            ..Finish::textured(texture)
         };
-        let pieces = vec![
-            Piece::own(lighthouse::SEA, None),
-            Piece::own(island.mesh()?, Some(island.outline()?)),
-        ];
+        let mut sea = Piece::own(lighthouse::SEA, None);
+        let mut island = Piece::own(island.mesh()?, Some(island.outline()?));
+        (island.finish, sea.finish) = (finish(0, CLAY, false), finish(1, SEA, true));
+        let pieces = vec![sea, island];
+
+        let point = |at: Vec3| at.to_bits().map(|bits| f64::from(bits) / 65536.0);
+        let positions = pieces
+            .iter()
+            .flat_map(|piece| piece.mesh.positions().iter());
+        let points: Vec<Point> = positions.map(point).collect();
+        let solid = Solid::of(&points);
+        let mut camera = args.clone();
+        if args.eye.is_none() {
+            camera.eye = Some(point(lighthouse::EYE).map(about));
+            camera.near = args.near.or(Some(PLANES[0]));
+            camera.far = args.far.or(Some(PLANES[1]));
+        }
+        let target = || point(lighthouse::TARGET).map(about);
+        camera.look_at = Some(args.look_at.unwrap_or_else(target));
+        camera.fov = Some(args.fov.unwrap_or(40.0));
+        let framing = Framing::new(&camera, &points, &solid)?;
+        let units = Units::own(&camera, &framing, &solid)?;
+        let mut view = View::new(&camera, &framing, &units)?;
+        view.sun = lighthouse::SUN;
+        // Exactly as a microcontroller looks at it.
+        if let (Ok(eye), Ok(target)) = (framing.eye.try_into(), framing.target.try_into()) {
+            view.camera = Camera::look_at(eye, target, direction(framing.up)?)?;
+        }
         let motion = Motion::Turning {
             view,
-            axis: [0.0, 1.0, 0.0],
+            axis: framing.up,
             frames: args.frames,
         };
         // The larger texture has 128 texels.
-        Self::constant(args, pieces, motion, (20.0, 128.0))
+        let mut scene = Self::constant(args, pieces, motion, (20.0, 128.0))?;
+        if LOOK.iter().any(|option| args.has(option)) {
+            scene.shade = Some(args.shade.unwrap_or(scene.default_shade));
+        }
+        Ok((scene, framing))
+    }
+
+    /// The same scene with other options of the look, and with another motion.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn with(&self, args: &Args, motion: Motion) -> Result<Self> {
+        let shade = args.shade.unwrap_or(self.default_shade);
+        Ok(Self {
+            pieces: self.pieces.clone(),
+            motion,
+            mode: Mode::new(args.mode, 1.0)?,
+            depth: args.depth,
+            shade: self.shade.map(|_| shade),
+            ..*self
+        })
     }
 
     /// A measured scene.
@@ -171,6 +238,7 @@ impl<'a> Scene<'a> {
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
             shade: None,
+            default_shade: Shade::Lit,
             is_own: matches!(motion, Motion::Turning { .. }),
             recorded: Mode::new(args.mode, recorder.repeat() / texels)?,
             recorder,

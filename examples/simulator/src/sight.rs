@@ -48,9 +48,9 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
         let frames = 0..args.frames;
         let why = if !any(scene, frames.clone(), Some(Cull::Nothing), is_wire)? {
             if any(scene, frames, None, true)? {
-                "the faces in view cover no pixel: try --shade wire"
+                "the faces in view cover no pixel: try --shade wire, a smaller --fov or a larger --size"
             } else {
-                "the model is outside the picture or smaller than a pixel"
+                "the model is outside the picture or smaller than a pixel: see --eye, --look-at, --fov, --near and --far"
             }
         } else if args.cull {
             "all faces in view point away, and --cull hides their backs"
@@ -99,17 +99,22 @@ pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Res
         if is_foggy && args.fog.is_some_and(|fog| is_beyond(fog.far)) {
             notes.push("all faces in view are behind the fog: see --fog".into());
         }
-        let percent = turned_away(scene, &records, |cull| {
-            Ok(look(scene, 0, Some(cull), false)?.0)
-        })?;
-        if percent > 0 {
-            notes.push(if args.cull {
-                format!("--cull hides backs of faces in {percent} % of the model's picture")
-            } else {
-                format!(
-                    "a program that culls back faces would lose {percent} % of the model's picture: see --cull"
-                )
+        let percent = if scene.is_own {
+            0
+        } else {
+            turned_away(scene, &records, |cull| {
+                Ok(look(scene, 0, Some(cull), false)?.0)
+            })?
+        };
+        if args.cull {
+            notes.push(match percent {
+                0 => "--cull hides less than 1 % of the model's picture: leave it out, or move with --eye".into(),
+                _ => format!("--cull hides backs of faces in {percent} % of the model's picture"),
             });
+        } else if percent > 0 {
+            notes.push(format!(
+                "a program that culls back faces would lose {percent} % of the model's picture: see --cull"
+            ));
         }
     }
     Ok(Sight {

@@ -1,7 +1,7 @@
 //! Textures with a size that is known only at run time.
 
 use embedded_graphics::geometry::Point;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel::shade::Translucent;
 use fixel_assets::Picture;
@@ -46,6 +46,20 @@ impl Skin {
             },
             side: 64,
         }
+    }
+
+    /// A texture that is compiled in.
+    pub fn of_rows<const SIDE: usize>(rows: &[[Rgb565; SIDE]; SIDE]) -> Self {
+        let pixel = |&color: &Rgb565| {
+            let color = Rgb888::from(color);
+            [color.r(), color.g(), color.b(), 255]
+        };
+        Self::new(&Picture {
+            width: SIDE as u32,
+            height: SIDE as u32,
+            pixels: rows.as_flattened().iter().map(pixel).collect(),
+            table: None,
+        })
     }
 
     /// Whether some texel is not opaque.

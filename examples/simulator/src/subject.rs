@@ -32,6 +32,8 @@ const CUT: Alpha = Alpha::Cut(128);
 pub struct Subject {
     parts: Vec<Part>,
     pub framing: Framing,
+    /// The cameras without the planes that the user gave.
+    others: Vec<(&'static str, Framing)>,
     pub units: Units,
     /// The finish of each material. The last finish is for faces without a material.
     finishes: Vec<Finish>,
@@ -39,6 +41,7 @@ pub struct Subject {
     pub skins: Vec<Skin>,
     largest_uv: f64,
     shade: Shade,
+    default_shade: Shade,
     /// The files from which the model was read.
     pub inputs: Vec<PathBuf>,
 }
@@ -64,7 +67,12 @@ impl Subject {
         if model.has_lines && !is_wire {
             model.notes.left_out("lines: see --wire");
         }
-        report::notes(args, model.notes.iter())?;
+        if args.texture.is_some() && !model.had_uvs {
+            model.notes.add(
+                "--texture is projected from six sides, because some faces have no texture coordinates: add them to the file",
+            );
+        }
+        report::notes(args, model.notes.iter().chain(model.far.clone()))?;
         let given = [&args.model, &args.texture].into_iter().flatten();
         let inputs = given.chain(&model.files).cloned().collect();
         if !args.cull {
@@ -79,6 +87,11 @@ impl Subject {
         )?;
         report::notes(args, advice::lying(args, &model))?;
         let mut framing = frame(args, &points, &solid, solid.middle)?;
+        let others = ["near", "far"].into_iter().filter_map(|option| {
+            let other = frame(&args.without(option)?, &points, &solid, solid.middle).ok()?;
+            (!other.has_planes_of(&framing) && !args.window).then_some((option, other))
+        });
+        let others = others.collect();
         if args.window {
             framing.widen(args, &points, solid.middle, MOST_ZOOM.into());
         }
@@ -87,9 +100,8 @@ impl Subject {
             *position = units.point(*position);
         }
         let textured = args.texture.is_some() || model.had_uvs || model.is_colored();
-        let shade = args
-            .shade
-            .unwrap_or(if textured { Shade::Lit } else { Shade::Gouraud });
+        let default_shade = if textured { Shade::Lit } else { Shade::Gouraud };
+        let shade = args.shade.unwrap_or(default_shade);
         let crease = match args.color {
             _ if args.wire || shade == Shade::Wire => Some(CREASE),
             Color::Mono => Some(180.0),
@@ -102,13 +114,29 @@ impl Subject {
         Ok(Self {
             parts,
             framing,
+            others,
             units,
             finishes,
             skins,
             largest_uv,
             shade,
+            default_shade,
             inputs,
         })
+    }
+
+    fn motion(&self, args: &Args, framing: &Framing) -> Result<Motion> {
+        Ok(Motion::Turning {
+            view: View::new(args, framing, &self.units)?,
+            axis: framing.up,
+            frames: args.frames,
+        })
+    }
+
+    /// Returns the motion without the near or the far plane that the user gave; `None` if the planes stay the same.
+    pub fn motion_without(&self, plane: &str, args: &Args) -> Option<Motion> {
+        let (_, other) = self.others.iter().find(|(option, _)| *option == plane)?;
+        self.motion(args, other).ok()
     }
 
     /// Returns the scene.
@@ -125,21 +153,17 @@ impl Subject {
             };
             pieces.push(part.piece(*finish.unwrap_or(&Finish::textured(0)))?);
         }
-        let view = View::new(args, &self.framing, &self.units)?;
         // The tolerance assumes that a repeat has the same number of texels along u and v, as if the texture were
         // square.
         let recorder = Recorder::new(self.largest_uv, self.units.exponent, args.mode);
         let side = self.skins.iter().map(|skin| skin.side).max().unwrap_or(1);
         Ok(Scene {
             pieces,
-            motion: Motion::Turning {
-                view,
-                axis: self.framing.up,
-                frames: args.frames,
-            },
+            motion: self.motion(args, &self.framing)?,
             mode: Mode::new(args.mode, 1.0)?,
             depth: args.depth,
             shade: Some(self.shade),
+            default_shade: self.default_shade,
             is_own: false,
             recorded: Mode::new(args.mode, recorder.repeat() / f64::from(side))?,
             recorder,

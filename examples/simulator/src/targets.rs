@@ -152,7 +152,15 @@ impl<'a> Targets<'a> {
             report::notes(args, ["all pixels of the picture have the same color"])?;
         }
         if args.out.is_some() || self.screen.is_none() {
-            say(format!("wrote {}, {width}x{height}", self.path.display()))?;
+            let bands = args.bands.filter(|&rows| rows < height).map(|rows| {
+                let count = height.div_ceil(rows);
+                format!(", in {count} bands of {rows} rows")
+            });
+            let bands = bands.unwrap_or_default();
+            say(format!(
+                "wrote {}, {width}x{height}{bands}",
+                self.path.display()
+            ))?;
             let Drawn {
                 submitted,
                 drawn,

@@ -41,6 +41,21 @@ impl Units {
         Ok(units)
     }
 
+    /// Returns the units of a scene that is compiled in: those of the scene itself.
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new).
+    pub fn own(args: &Args, framing: &Framing, solid: &Solid) -> Result<Self> {
+        framing.reach(args, solid, MOST)?;
+        let units = Self {
+            origin: [0.0; 3],
+            exponent: 0,
+        };
+        units.check_near(framing)?;
+        Ok(units)
+    }
+
     fn check_near(&self, framing: &Framing) -> Result<()> {
         let [near, far] = [framing.near, framing.far].map(|distance| self.length(distance));
         if framing.is_perspective() && near < NEAREST {

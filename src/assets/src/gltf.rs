@@ -17,6 +17,7 @@ use matrix::{IDENTITY, Matrix, blend, local, matrix, normal_matrix, product};
 use crate::files::Folder;
 use crate::material::GLOW_ELSEWHERE;
 use crate::mtl::byte;
+use crate::sniff::contents;
 use crate::text::unescaped;
 use crate::{Alpha, Corner, Image, Material, Model, Smoothing, next};
 
@@ -235,7 +236,7 @@ impl<'a> Reader<'a> {
                 Some(uri) => data(uri).unwrap_or_else(|| {
                     let path = self.path(uri);
                     self.model.files.push(path.clone());
-                    let read = self.folder.files.read(&path);
+                    let read = contents(self.folder.files.read(&path));
                     read.map_err(|error| format!("cannot read {}: {error}", path.display()))
                 }),
             };
@@ -539,11 +540,8 @@ impl<'a> Reader<'a> {
             None => &Value::Null,
         };
         let (_, texture) = surface(material);
-        let texture = if texture.is_object() {
-            texture
-        } else {
-            &material["emissiveTexture"]
-        };
+        let texture = Some(texture).filter(|texture| texture.is_object());
+        let texture = texture.unwrap_or(&material["emissiveTexture"]);
         let uvs = self.uvs(attributes, texture, count)?;
         let colors = self.attribute::<3>(&attributes["COLOR_0"], count)?;
         if material["alphaMode"]

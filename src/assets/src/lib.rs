@@ -95,6 +95,8 @@ pub struct Model {
     pub files: Vec<PathBuf>,
     /// What was replaced or left out.
     pub notes: Notes,
+    /// A sentence about faces so far away that the others cannot be seen beside them, if there are any.
+    pub far: Option<String>,
     ears: Ears,
     object: Option<u32>,
 }
@@ -169,7 +171,7 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
             return Err([&[why.into()], &notes[..]].concat().join("; "));
         }
         model.show();
-        model.check_sight()?;
+        model.far = model.check_sight()?;
         model.edges.sort_unstable();
         model.edges.dedup();
         model
@@ -221,10 +223,7 @@ impl Model {
     /// Whether the model has vertex colors, or a material that differs from [`Material::new`].
     #[must_use]
     pub fn is_colored(&self) -> bool {
-        let is_plain = |material: &Material| {
-            let plain = Material::new(material.name.clone());
-            *material == plain
-        };
+        let is_plain = |it: &Material| *it == Material::new(it.name.clone());
         !self.colors.is_empty() || !self.materials.iter().all(is_plain)
     }
 }

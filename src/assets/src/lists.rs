@@ -73,6 +73,8 @@ pub struct Lists {
     pub colors: Vec<[u8; 3]>,
     /// For each face, the indices of its corners' colors; empty, or as long as `faces`.
     pub color_faces: Vec<[u16; 3]>,
+    /// As [`Model::far`], for the faces that the options select.
+    pub far: Option<String>,
 }
 
 /// A run of faces with one material.
@@ -197,6 +199,7 @@ impl Model {
             normals: self.normals.clone(),
             colors: self.colors.clone(),
             edges: self.edges.clone(),
+            objects: self.objects.clone(),
             triangles,
             ..Self::default()
         };
@@ -240,7 +243,7 @@ impl Model {
     /// # Errors
     ///
     /// There are more than 65,536 values of a kind, a position leaves the range from −32,768 to 32,768, or the options
-    /// select no face.
+    /// select no face, or only faces that cannot be seen.
     pub fn lists(&self, options: &Options) -> Result<Lists, String> {
         let model = self.selected(options)?;
         let kinds = [
@@ -276,11 +279,7 @@ impl Model {
                 )
             })
         };
-        let positions: Vec<[i32; 3]> = model
-            .positions
-            .iter()
-            .map(position)
-            .collect::<Result<_, _>>()?;
+        let positions = model.positions.iter().map(position);
         let uv = |&[u, v]: &[f64; 2]| {
             // In OBJ files, v points up. The file's v is rounded before it is reversed, so that halves are rounded away
             // from zero in the file's own direction.
@@ -299,6 +298,10 @@ impl Model {
             };
             turned.map(|x| fixed(x * scale, SCALAR).unwrap_or(0))
         };
+        let far = match options.part.as_ref().or(options.object.as_ref()) {
+            None => self.far.clone(),
+            Some(_) => model.check_sight()?,
+        };
         let faces = model.triangles.iter().map(|triangle| triangle.corners);
         let faces = faces.map(|corners| corners.map(|corner| narrow(corner.position)));
         Ok(Lists {
@@ -309,8 +312,9 @@ impl Model {
             normals: model.normals.iter().map(normal).collect(),
             normal_faces: own_faces(&model, model.normals.len(), |corner| corner.normal),
             color_faces: own_faces(&model, model.colors.len(), |corner| corner.color),
-            colors: model.colors,
-            positions,
+            colors: model.colors.clone(),
+            positions: positions.collect::<Result<_, _>>()?,
+            far,
         })
     }
 
@@ -366,11 +370,8 @@ impl Model {
         }
         let farthest = largest(low).max(largest(high));
         // With the middle of the model at the origin, all positions fit at every scale up to `fine`.
-        let center = if farthest * enough.abs() < 32_767.0 {
-            ""
-        } else {
-            "center, "
-        };
+        let fits = farthest * enough.abs() < 32_767.0;
+        let center = ["center, ", ""][usize::from(fits)];
         let merged = apart.saturating_sub(kept);
         Some(format!(
             "{merged} of {apart} positions become equal to others when rounded to 1/65536: {center}scale = {enough} keeps them apart"

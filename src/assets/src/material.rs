@@ -143,7 +143,7 @@ impl Model {
                 picture.tint(tint);
                 match self.picture(glow, files) {
                     Ok(glow) => picture.add(&glow, light),
-                    Err(problem) => self.notes.add(format!("{problem}: its faces do not glow")),
+                    Err(problem) => self.notes.add(format!("{problem}; its faces do not glow")),
                 }
                 return Ok(picture);
             }
@@ -166,7 +166,7 @@ impl Model {
             }
             Err(problem) => {
                 self.notes
-                    .add(format!("{problem}: its faces have one color"));
+                    .add(format!("{problem}; its faces have one color"));
                 None
             }
         }

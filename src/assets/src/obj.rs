@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::files::Folder;
 use super::mtl::{self, Materials};
+use super::sniff::contents;
 use super::text::{first_word, numbers, parse, quote, statements, words};
 use super::{Corner, Model, Smoothing, next};
 
@@ -137,7 +138,7 @@ impl Reader {
                 own: file.parent(),
                 ..folder
             };
-            match folder.files.read(&file) {
+            match contents(folder.files.read(&file)) {
                 Ok(text) => self.materials.add(model, &text, folder)?,
                 Err(error) => (model.notes).add(format!("cannot read materials {name}: {error}")),
             }

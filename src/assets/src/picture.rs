@@ -330,7 +330,8 @@ fn turned<T>(mut list: Vec<T>, width: usize, vertically: bool, horizontally: boo
 
 /// The message of a reader's error.
 fn text(error: impl std::fmt::Display) -> String {
-    error.to_string()
+    let text = error.to_string();
+    text.replace("IO Error: failed to fill whole buffer", "it ends too early")
 }
 
 fn png(bytes: &[u8]) -> Result<Picture, String> {

@@ -10,12 +10,12 @@ const FAR: f64 = 1000.0;
 const FLAT: f64 = 1e-12;
 
 impl Model {
-    /// Notes faces so far away that the others cannot be seen beside them.
+    /// Finds faces so far away that the others cannot be seen beside them: a sentence about them, if there are any.
     ///
     /// # Errors
     ///
     /// All faces are in one point, or have no area.
-    pub(crate) fn check_sight(&mut self) -> Result<(), String> {
+    pub(crate) fn check_sight(&self) -> Result<Option<String>, String> {
         let [low, high] = self.bounds();
         let size = largest(sub(high, low));
         if size == 0.0 {
@@ -56,16 +56,15 @@ impl Model {
         let near = sorted[far.len() - 1 - few];
         let is_far = |&&far: &&f64| near > 0.0 && far > FAR * near;
         let count = far.iter().filter(is_far).count();
-        if let Some(first) = far.iter().position(|far| is_far(&far)) {
+        Ok(far.iter().position(|far| is_far(&far)).map(|first| {
             let [x, y, z] = triangles().nth(first).map_or(median, farthest);
             let name = self.triangles[first].object;
-            let name = name.map(|at| format!(" of '{}'", self.objects[at as usize]));
-            let name = name.unwrap_or_default();
-            self.notes.add(format!(
+            let of = |at| format!(" of '{}'", self.objects[at as usize]);
+            let name = name.map_or(String::new(), of);
+            format!(
                 "{count} of {} triangles are over {FAR} times farther from the middle than the others, which are therefore too small to see: the first{name} is at {x},{y},{z}; to leave them out, delete them from the file",
                 far.len(),
-            ));
-        }
-        Ok(())
+            )
+        }))
     }
 }

@@ -1,5 +1,6 @@
 //! Finds the format of a file by its name and its first bytes.
 
+use std::io;
 use std::path::Path;
 
 use crate::text::unescaped;
@@ -62,11 +63,8 @@ impl Row<'_> {
 
     /// Why a file of this format cannot be read.
     fn refusal(self, can_be_read: &str) -> String {
-        let remedy = if self.remedy.is_empty() {
-            can_be_read
-        } else {
-            self.remedy
-        };
+        let remedy = Some(self.remedy).filter(|remedy| !remedy.is_empty());
+        let remedy = remedy.unwrap_or(can_be_read);
         format!("it is {} file: {remedy}", self.name)
     }
 }
@@ -111,6 +109,13 @@ fn marked(bytes: &[u8]) -> Option<Row<'static>> {
             .iter()
             .any(|text| begins(text, &unescaped(mark))),
     })
+}
+
+/// The contents of materials or of a buffer, unless a pointer or a page stands in their place.
+pub fn contents(read: io::Result<Vec<u8>>) -> Result<Vec<u8>, String> {
+    let bytes = read.map_err(|error| error.to_string())?;
+    let row = marked(&bytes).filter(|row| row.remedy.contains("the file itself"));
+    row.map_or(Ok(bytes), |row| Err(row.refusal("")))
 }
 
 /// Why a file cannot be read, if it begins like one of a known format.

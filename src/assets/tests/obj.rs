@@ -691,10 +691,10 @@ fn textures_of_light_are_added_to_the_surface() {
         notes[0].starts_with("cannot read texture none.png: "),
         "{notes:?}"
     );
-    assert!(notes[0].ends_with(": its faces do not glow"), "{notes:?}");
+    assert!(notes[0].ends_with("; its faces do not glow"), "{notes:?}");
     let (picture, _, notes) = shown("newmtl a\nmap_Kd none.png\nmap_Ke l.png\n");
     assert!(
-        picture.is_none() && notes[0].ends_with(": its faces have one color"),
+        picture.is_none() && notes[0].ends_with("; its faces have one color"),
         "{notes:?}"
     );
 }

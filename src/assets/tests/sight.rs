@@ -3,6 +3,7 @@
 mod common;
 
 use common::{notes, read};
+use fixel_assets::Options;
 
 fn refused(text: &str) -> String {
     read(&[("a.obj", text)]).unwrap_err()
@@ -56,7 +57,10 @@ fn points_and_lines_alone_are_refused() {
 /// A square, which `far` follows.
 fn noted(far: &str) -> Vec<String> {
     let square = "o near\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    notes(&read(&[("a.obj", format!("{square}{far}"))]).unwrap())
+    let model = read(&[("a.obj", format!("{square}{far}"))]).unwrap();
+    let mut notes = notes(&model);
+    notes.extend(model.far);
+    notes
 }
 
 #[test]
@@ -80,4 +84,27 @@ fn faces_far_away_are_named() {
     }
     // Faces without area in the middle do not make the others far.
     assert_eq!(noted(&"f 1 1 1\n".repeat(30)), [""; 0]);
+}
+
+/// The advice of `include_mesh!` works: with an object or a part, only its own faces count.
+#[test]
+fn faces_that_are_not_selected_do_not_count() {
+    let text = "o near\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 4\nusemtl feather\no bird\nv 5000 5000 0\n\
+                f 1 2 5\no dot\nusemtl dot\nf 1 1 2\n";
+    let model = read(&[("a.obj", text)]).unwrap();
+    assert!(model.far.is_some());
+    let lists = |object: Option<&str>, part: Option<&str>| {
+        let [object, part] = [object, part].map(|name| name.map(str::to_string));
+        let options = Options {
+            object,
+            part,
+            ..Options::default()
+        };
+        model.lists(&options).map(|lists| lists.far)
+    };
+    assert_eq!(lists(None, None), Ok(model.far.clone()));
+    assert_eq!(lists(Some("near"), None), Ok(None));
+    assert_eq!(lists(None, Some("feather")), Ok(None));
+    let nothing = "there is nothing to see: the corners of each face are on a line";
+    assert_eq!(lists(Some("dot"), None), Err(nothing.into()));
 }

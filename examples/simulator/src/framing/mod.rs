@@ -412,6 +412,11 @@ impl Framing {
         self.far = args.far.unwrap_or(about(far));
     }
 
+    /// Whether another camera has the same near and far planes.
+    pub fn has_planes_of(&self, other: &Self) -> bool {
+        self.near.total_cmp(&other.near).is_eq() && self.far.total_cmp(&other.far).is_eq()
+    }
+
     pub fn is_perspective(&self) -> bool {
         self.kind == Kind::Perspective
     }

@@ -4,9 +4,11 @@
 mod dumps;
 mod formats;
 mod framing;
+mod kinds;
 mod looks;
 mod materials;
 mod models;
+mod options;
 mod output;
 mod program;
 mod random;

@@ -106,11 +106,18 @@ fn impossible_pictures_and_mistakes_are_refused() {
     for (arguments, says) in cases(PICTURES) {
         bench.refused(format!("t.obj {arguments}"), &says);
     }
-    bench.refused("--eye 1,2,3", &["--eye needs a model"]);
-    bench.refused(
-        "--scene cube --size 9x9",
-        &["--scene cannot be used with --size"],
-    );
+    for option in ["--texture t.png", "--cull"] {
+        let name = option.split(' ').next().unwrap();
+        bench.refused(option, &[&format!("{name} needs a model: ")]);
+    }
+    for option in ["--size 9x9", "--shade wire", "--eye 1,2,3"] {
+        let name = option.split(' ').next().unwrap();
+        let says = format!("{name} cannot be used with --scene: ");
+        bench.refused(
+            format!("--scene cube {option}"),
+            &[&says, "leave out --scene"],
+        );
+    }
     if cfg!(not(feature = "sdl")) {
         bench.refused("t.obj --window", &["--window", "--features sdl"]);
     }

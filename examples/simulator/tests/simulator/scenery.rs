@@ -112,7 +112,7 @@ fn fog_hides_by_distance() {
     );
     assert!(hidden.iter().all(|&pixel| pixel == [0; 3]));
     let notes = |fog: &str| bench.notes(format!("s.obj {FRONT} --shade texture {fog}"));
-    assert_eq!(notes("--fog 1,6"), "");
+    assert!(!notes("--fog 1,6").contains("fog"));
     assert!(notes("--fog 1,4").contains("all faces in view are behind the fog"));
 }
 

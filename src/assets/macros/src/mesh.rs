@@ -71,8 +71,16 @@ pub fn mesh(arguments: &Arguments) -> Result<Expansion, String> {
     if let Some(note) = model.merging(options.scale) {
         model.notes.add(note);
     }
-    expansion.note(&arguments.path.value, &model.notes);
     let lists = model.lists(&options)?;
+    if let Some(far) = &lists.far {
+        let has_names = model.objects.len() + model.materials.len() > 1;
+        model.notes.add(if has_names {
+            format!("{far}, or name what to keep: object = \"name\" or part = \"name\"")
+        } else {
+            far.clone()
+        });
+    }
+    expansion.note(&arguments.path.value, &model.notes);
     write(&mut expansion, &lists, formats.first().copied());
     Ok(expansion)
 }

@@ -1,5 +1,8 @@
 //! The macros warn about what the reader of models notes, and stop with its errors. No message names a file twice.
 
+#[path = "../../tests/common/kinds.rs"]
+mod kinds;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -8,6 +11,7 @@ use fixel_assets::Disk;
 use crate::arguments::Arguments;
 use crate::expansion::Expansion;
 use crate::{mesh, picture};
+use kinds::{all, others};
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -63,7 +67,7 @@ fn warnings_are_the_notes_of_the_reader() {
     for (name, count) in [("tr", 1), ("d", 1), ("glow", 1), ("far", 1), ("good", 0)] {
         let path = folder.join(format!("{name}.obj"));
         let model = fixel_assets::read(&path, &Disk).unwrap();
-        let notes: Vec<String> = model.notes.iter().collect();
+        let notes: Vec<String> = model.notes.iter().chain(model.far).collect();
         assert_eq!(expanded(&path, mesh::mesh), Ok(notes.clone()), "{name}");
         assert_eq!(notes.len(), count, "{name}: {notes:?}");
     }
@@ -136,5 +140,46 @@ fn errors_have_the_line_and_no_path() {
         problem.contains("page.png: it is an HTML file: "),
         "{problem}"
     );
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// The table that the viewer and the writer of models for flash are tested with, too.
+#[test]
+fn the_macros_say_what_the_other_readers_say() {
+    for kind in all() {
+        let files = &kind.files;
+        let folder = folder("kinds", &[]);
+        for (name, bytes) in files {
+            fs::write(folder.join(name), bytes).unwrap();
+        }
+        // The path of the macro is absolute.
+        let short = |text: String| text.replace(&format!("{}/", folder.display()), "");
+        let said = expanded(&folder.join(files[0].0), mesh::mesh);
+        let said = said.map(|notes| notes.into_iter().map(short).collect());
+        let advice = ", or name what to keep: object = \"name\" or part = \"name\"";
+        let wanted = kind.says.clone().map(|notes| {
+            let notes = notes.into_iter().map(|note| {
+                if note.contains("too small to see") {
+                    note + advice
+                } else {
+                    note
+                }
+            });
+            notes.collect::<Vec<_>>()
+        });
+        assert_eq!(said.map_err(short), wanted, "{files:?}");
+        fs::remove_dir_all(folder).unwrap();
+    }
+    let folder = folder("pictures", &[]);
+    for (bytes, mut says, is_whole) in others() {
+        if !is_whole {
+            says += "PNG, JPEG, BMP, TGA, GIF and WebP can be read";
+        }
+        for name in ["a.png", "a.jpg", "a.tga", "a.usdz", "a"] {
+            fs::write(folder.join(name), &bytes).unwrap();
+            let said = expanded(&folder.join(name), picture::texture);
+            assert_eq!(said, Err(says.clone()), "{name}");
+        }
+    }
     fs::remove_dir_all(folder).unwrap();
 }

@@ -1,0 +1,38 @@
+//! The writer of models for flash says what the other readers say about a file.
+
+#[path = "../../../src/assets/tests/common/kinds.rs"]
+mod kinds;
+
+use std::collections::HashMap;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use fixel_assets::Files;
+use flash_model::{Board, Panel, write};
+
+struct Memory(HashMap<PathBuf, Vec<u8>>);
+
+impl Files for Memory {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let file = self.0.get(path).cloned();
+        file.ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    fn find(&self, path: &Path) -> Option<PathBuf> {
+        self.0.contains_key(path).then(|| path.into())
+    }
+}
+
+#[test]
+fn the_writer_says_what_the_other_readers_say() {
+    for kind in kinds::all() {
+        let name = kind.files[0].0;
+        let file = |(name, bytes): &(&str, Vec<u8>)| (PathBuf::from(name), bytes.clone());
+        let files = Memory(kind.files.iter().map(file).collect());
+        let mut notes = Vec::new();
+        let written = write(name, &files, None, Board::Pico, Panel::Ili9341, &mut notes);
+        let said = written.map(|_| notes);
+        let wanted = kind.says.map_err(|why| format!("model {name}: {why}"));
+        assert_eq!(said, wanted, "{:?}", kind.files);
+    }
+}
