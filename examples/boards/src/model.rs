@@ -9,7 +9,7 @@ use embedded_graphics::text::Text;
 use fixel::canvas::Storage;
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use flash_model::{Model, Panel, Problem};
+use flash_model::{HOLE, Model, Panel, Problem};
 use heapless::String;
 
 const SKY: Rgb565 = Rgb565::new(3, 8, 8);
@@ -19,6 +19,7 @@ pub struct Scene<'a> {
     size: (u32, u32),
     model: Result<Model<'a>, String<128>>,
     view: Mvp,
+    viewer: Viewer,
     sun: Light,
 }
 
@@ -37,6 +38,7 @@ impl<'a> Scene<'a> {
             size,
             model: Model::read(words).map_err(message),
             view: projection * camera,
+            viewer: Viewer::of(&(projection * camera)),
             sun: Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?,
         })
     }
@@ -73,19 +75,26 @@ impl<'a> Scene<'a> {
         let mvp = self.view * Transform::rotate_y(Rate::rpm(6).angle_at(now_ms));
         let options = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
         let mesh = model.mesh();
+        let sun = self.sun.two_sided(self.viewer);
         for part in model.parts() {
-            let mesh = mesh.part(part.faces);
+            let mesh = mesh.part(part.faces.clone());
+            let options = options.with_cull(if part.is_two_sided {
+                Cull::Nothing
+            } else {
+                Cull::Back
+            });
             macro_rules! draw {
-                ($surface:expr) => {
-                    canvas.draw_with(&options, &mesh, &mvp, &$surface.lit(self.sun))
+                ($shader:expr) => {
+                    canvas.draw_with(&options, &mesh, &mvp, &$shader)
                 };
             }
             let color = Flat::<Rgb565>::rgb(part.color);
-            match (part.texture.map(Textured::new), model.colors()) {
-                (Some(skin), Some(colors)) => draw!(colors.over(skin)),
-                (Some(skin), None) => draw!(skin),
-                (None, Some(colors)) => draw!(colors.over(color)),
-                (None, None) => draw!(color),
+            match part.texture.map(Textured::new) {
+                None if part.is_plain() => draw!(color.lit(self.sun)),
+                Some(skin) if part.is_plain() => draw!(skin.lit(self.sun)),
+                None => draw!(part.painted(color, sun)),
+                Some(skin) if part.has_holes => draw!(part.painted(skin.cut_out(HOLE), sun)),
+                Some(skin) => draw!(part.painted(skin, sun)),
             };
         }
         Ok(())

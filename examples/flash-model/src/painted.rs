@@ -1,8 +1,9 @@
-//! The colors of vertices in flash.
+//! Surfaces in the colors of vertices, lit from both sides, and with light of their own.
 
-use embedded_graphics::pixelcolor::Rgb565;
-use fixel::shade::{Illumination, Output, PreciseOf, Within};
-use fixel::{Fragment, Primitive, Shader};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::prelude::*;
+use fixel::shade::{Illumination, Lighting, Output, Precise, Within};
+use fixel::{Fragment, Primitive};
 
 /// The colors of a model's vertices: red, green and blue. (A mesh's own colors, of `Rgb888`, cannot be borrowed from
 /// words without `unsafe`.)
@@ -13,14 +14,7 @@ pub struct Colors<'a> {
     pub(crate) faces: &'a [[u16; 3]],
 }
 
-impl<'a> Colors<'a> {
-    /// A surface, multiplied by these colors as [`Shader::tinted`] would.
-    #[must_use]
-    pub const fn over<S>(self, surface: S) -> Tinted<'a, S> {
-        let colors = self;
-        Tinted { surface, colors }
-    }
-
+impl Colors<'_> {
     /// The color of a corner as fractions, 0 to 65,536. A corner without a color is white.
     fn fractions(&self, face: Option<usize>, corner: usize, index: usize) -> [i32; 3] {
         let index = match face.and_then(|face| self.faces.get(face)) {
@@ -34,15 +28,24 @@ impl<'a> Colors<'a> {
     }
 }
 
-/// A surface times the colors of vertices.
+/// A surface times the colors of vertices and the light, plus the light that the surface sends out.
+///
+/// The two colors are multiplied at each corner, and only the product is interpolated.
 #[derive(Clone, Copy, Debug)]
-pub struct Tinted<'a, S> {
-    surface: S,
-    colors: Colors<'a>,
+pub struct Painted<'a, S, L> {
+    pub(crate) surface: S,
+    pub(crate) colors: Colors<'a>,
+    /// The light; `None` for a surface that has its own colors in every light.
+    pub(crate) light: Option<L>,
+    pub(crate) emission: Rgb888,
 }
 
-impl<S: Shader<Color: Output<Color = Rgb565>>> Shader for Tinted<'_, S> {
-    type Color = PreciseOf<S>;
+impl<S, L> Shader for Painted<'_, S, L>
+where
+    S: Shader<Color: Output<Color = Rgb565, With<Rgb565> = Precise<Rgb565>>>,
+    L: Lighting<Diffuse = i32, Specular = ()>,
+{
+    type Color = Precise<Rgb565>;
     type Varyings = (S::Varyings, Within<64, [i32; 3]>);
 
     const READS_DEPTH: bool = S::READS_DEPTH;
@@ -50,9 +53,16 @@ impl<S: Shader<Color: Output<Color = Rgb565>>> Shader for Tinted<'_, S> {
     fn varyings(&self, primitive: &Primitive<'_>) -> [Self::Varyings; 3] {
         let inner = self.surface.varyings(primitive);
         let indices = primitive.corners(|corner| usize::from(corner.index()));
+        let white = Flat::<Rgb565>::rgb(Rgb888::WHITE);
+        let lights = self.light.map(|light| white.lit(light).varyings(primitive));
         [0, 1, 2].map(|at| {
-            let tint = self.colors.fractions(primitive.face(), at, indices[at]);
-            (inner[at], Within(tint))
+            let tint = (self.colors).fractions(primitive.face(), at, indices[at]);
+            let lit = lights.map_or(tint, |lights| {
+                let ((), Within((light, ()))) = lights[at];
+                // Tint and light are at most 2^16.
+                tint.map(|tint| ((i64::from(tint) * i64::from(light)) >> 16) as i32)
+            });
+            (inner[at], Within(lit))
         })
     }
 
@@ -64,6 +74,7 @@ impl<S: Shader<Color: Output<Color = Rgb565>>> Shader for Tinted<'_, S> {
     ) -> Option<Self::Color> {
         let specular = ();
         let light = Illumination { diffuse, specular };
-        Some(self.surface.shade(at, inner)?.lit(light))
+        let lit = self.surface.shade(at, inner)?.lit(light);
+        Some(lit.plus(Precise::of_rgb(self.emission)))
     }
 }
