@@ -21,10 +21,14 @@
 #![cfg_attr(not(feature = "write"), no_std)]
 
 #[cfg(feature = "write")]
-mod closed;
+mod cost;
+#[cfg(feature = "write")]
+mod count;
 mod header;
 mod painted;
 mod problem;
+#[cfg(feature = "write")]
+mod sides;
 mod skin;
 #[cfg(feature = "write")]
 mod uf2;
@@ -35,8 +39,10 @@ use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::mesh::flash::{Small, UvGrid};
-use fixel::{Mesh, Vec2, Vec3};
+use fixel::prelude::*;
 
+#[cfg(feature = "write")]
+pub use cost::rate;
 pub use header::{ADDRESS, Board, HOLE, Header, Panel, PartRecord, TextureRecord};
 pub use painted::{Colors, Painted};
 pub use problem::Problem;
@@ -47,6 +53,24 @@ pub use uf2::{board, region, uf2};
 pub use write::write;
 
 use header::Lists;
+
+/// The view of a model, for a picture of this size.
+///
+/// # Errors
+///
+/// None: the numbers are constant.
+pub fn view(size: (u32, u32)) -> Result<Mvp, Error> {
+    // The model lies in the ball of radius 1, which touches the borders of a square picture: 2.924 sin 20° = 1.
+    let projection = Projection::perspective(deg!(40), size, fx!(1.9), fx!(3.95))?;
+    let camera = Camera::look_at(vec3!(0, 1, 2.748), Vec3::ZERO, Vec3::Y)?;
+    Ok(projection * camera)
+}
+
+/// How far a model has turned at a time.
+#[must_use]
+pub fn turn(now_ms: u64) -> Transform {
+    Transform::rotate_y(Rate::rpm(6).angle_at(now_ms))
+}
 
 /// A model that borrows its lists from flash.
 #[derive(Clone, Copy, Debug)]
@@ -85,13 +109,12 @@ pub struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// Whether the part only reflects light, and shows only the fronts of faces without holes, in the colors of no
-    /// vertices. Then its surface under the light is all there is to draw.
+    /// Whether the part only reflects light, and has neither holes nor colors of vertices. Then its surface under the
+    /// light is all there is to draw.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let is_dark = self.emission == Rgb888::BLACK;
-        let is_special = self.is_two_sided || self.is_unlit || self.has_holes;
-        is_dark && !is_special && self.colors.values.is_empty()
+        is_dark && !self.is_unlit && !self.has_holes && self.colors.values.is_empty()
     }
 
     /// A surface in the colors of the part's vertices under a light, if light changes the part, with the light that the

@@ -75,6 +75,9 @@ where
         let specular = ();
         let light = Illumination { diffuse, specular };
         let lit = self.surface.shade(at, inner)?.lit(light);
+        if self.emission == Rgb888::BLACK {
+            return Some(lit);
+        }
         Some(lit.plus(Precise::of_rgb(self.emission)))
     }
 }

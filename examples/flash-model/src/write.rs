@@ -12,7 +12,7 @@ use fixel_assets::vector::{length, sub};
 use fixel_assets::{Alpha, Files, Format, INVISIBLE, Material, Model, Options, Picture};
 
 use crate::header::{self, HEADER, HOLES, Header, MAGIC, NO_TEXTURE, TWO_SIDED, UNLIT, VERSION};
-use crate::{Board, HOLE, Panel, PartRecord, TextureRecord, closed};
+use crate::{Board, HOLE, Panel, PartRecord, TextureRecord, count, sides};
 
 /// The most texels along a side of a texture. This is the least power of two that is not below the 240 rows of a panel.
 const SIDE: u32 = 256;
@@ -42,6 +42,7 @@ pub fn write(
 ) -> Result<Vec<u32>, String> {
     let path = Path::new(name);
     let of_model = |problem| format!("model {name}: {problem}");
+    count::check(path, files).map_err(of_model)?;
     let mut model = fixel_assets::read(path, files).map_err(of_model)?;
     // Normals of a model that is far too large would take long.
     let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -57,8 +58,13 @@ pub fn write(
     let is_hidden = |at: u32| materials[at as usize].opacity <= 0.0;
     (model.triangles).retain(|it| !it.material.is_some_and(is_hidden));
     let mut skins = Skins::new(&mut model, files);
-    closed::cull(&mut model, |material| skins.has_holes(material));
+    let scale = fitting(&model);
+    let z_up = Format::of(path) == Some(Format::Stl);
+    let has_holes = |material: &Material| skins.has_holes(material);
+    sides::cull(&mut model, has_holes, scale, z_up).map_err(|error| of_model(error.to_string()))?;
     model.complete();
+    // Each material becomes one part.
+    (model.triangles).sort_by_key(|triangle| triangle.material);
     // Lines could reach beyond the faces.
     model.edges.clear();
     if model.has_lines {
@@ -66,8 +72,8 @@ pub fn write(
     }
     let options = Options {
         center: true,
-        scale: fitting(&model),
-        z_up: Format::of(path) == Some(Format::Stl),
+        scale,
+        z_up,
         remedy: REMEDY,
         ..Options::default()
     };

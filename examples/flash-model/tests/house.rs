@@ -119,7 +119,7 @@ fn each_part_has_its_finish() {
     let [red, black, green, white] = [Rgb888::RED, Rgb888::BLACK, Rgb888::GREEN, Rgb888::WHITE];
     // The faces of the tetrahedron come last: they are of a one-sided twin of their material.
     let wanted = [
-        (0..1, [red, black], [true, false, false, false]),
+        (0..1, [red, black], [true, false, false, true]),
         (1..2, [white, black], [true, false, true, false]),
         (2..3, [black, green], [true, false, false, false]),
         (3..7, [red, black], [false, false, false, true]),
@@ -486,6 +486,28 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
     let error = large(21_846, 1, None, Board::Pico2).unwrap_err();
     let wanted = "model a.obj: it has 65538 positions: a mesh can have at most 65536; save it with fewer triangles";
     assert_eq!(error, wanted);
+}
+
+/// The files are refused before their triangles are read, so that these need no positions.
+#[test]
+fn a_far_too_large_model_is_refused_by_its_header() {
+    let refused = |name: &str, bytes: &[u8]| {
+        let error = written(&[(name, bytes)], None, Board::Pico2).unwrap_err();
+        let wanted =
+            "it has 300000 faces: a board can show at most 262144; save it with fewer triangles";
+        assert_eq!(error, format!("model {name}: {wanted}"));
+    };
+    let mut stl = vec![0; 84 + 50 * 300_000];
+    stl[80..84].copy_from_slice(&300_000_u32.to_le_bytes());
+    refused("a.stl", &stl);
+    let facet = "facet normal 0 0 1\n outer loop\n  vertex\n";
+    refused(
+        "a.stl",
+        format!("solid a\n{}", facet.repeat(300_000)).as_bytes(),
+    );
+    refused("a.obj", " f 1 2 3\n".repeat(300_000).as_bytes());
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nelement face 300000\nend_header\n";
+    refused("a.ply", ply.as_bytes());
 }
 
 /// Triangles apart from each other, each several times.
