@@ -6,19 +6,19 @@
 //! ```
 //!
 //! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. Without `-o`, the bytes
-//! go to standard output.
+//! go to standard output. Before it writes, the command says what the model costs on the board.
 
 use std::error::Error;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
-use std::process::ExitCode;
+use std::process::{self, ExitCode};
 
 use boards::model::Scene;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel_assets::{Disk, Files, Picture};
-use flash_model::{Board, Model, Panel, board, region, uf2, write};
+use flash_model::{Board, Model, Panel, board, rate, region, uf2, write};
 
 const USAGE: &str = "give the file of the program (such as pico.uf2), the panel (st7789 or ili9341) and the model, and \
                      perhaps a picture and -o FILE; or a UF2 and a time in milliseconds, and perhaps -o FILE";
@@ -40,6 +40,7 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
         [args @ .., "-o", to] => (args, Some(Path::new(to))),
         args => (args, None),
     };
+    keep(args, to)?;
     let bytes = match *args {
         [program, panel, model, ref picture @ ..] if picture.len() < 2 => {
             let panel = match panel {
@@ -65,13 +66,7 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
             for note in notes {
                 eprintln!("note: {note}");
             }
-            let model = Model::read(&words).map_err(|problem| problem.to_string())?;
-            let triangles = model.mesh().faces().len();
-            let kilobytes = words.len().div_ceil(256);
-            eprintln!(
-                "{triangles} triangles; {kilobytes} of {} KB of flash for models",
-                board.words() / 256
-            );
+            eprintln!("{}", cost(&words, board)?);
             uf2(&program, &words)?
         }
         [path, now] => {
@@ -85,13 +80,57 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
     let Some(to) = to else {
         return Ok(io::stdout().write_all(&bytes)?);
     };
-    // The file appears only when it is complete.
-    let temporary = to.with_extension("part");
-    let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, to));
+    let name = to.display();
+    save(to, &bytes).map_err(|problem| format!("cannot write {name}: {problem}").into())
+}
+
+/// Fails if the command would overwrite one of the files that it reads.
+fn keep(inputs: &[&str], to: Option<&Path>) -> Result<(), String> {
+    let place = |path: &Path| fs::canonicalize(path).ok();
+    let Some((to, place_of_to)) = to.and_then(|to| Some((to, place(to)?))) else {
+        return Ok(());
+    };
+    if inputs
+        .iter()
+        .any(|input| place(Path::new(input)).as_ref() == Some(&place_of_to))
+    {
+        let name = to.display();
+        return Err(format!("{name} is read: give -o another file"));
+    }
+    Ok(())
+}
+
+/// Writes a file, which appears only when it is complete.
+fn save(to: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut name = to
+        .file_name()
+        .ok_or(io::ErrorKind::IsADirectory)?
+        .to_owned();
+    name.push(format!(".{}.part", process::id()));
+    let temporary = to.with_file_name(name);
+    let written = File::create_new(&temporary)
+        .and_then(|mut file| file.write_all(bytes))
+        .and_then(|()| fs::rename(&temporary, to));
     if written.is_err() {
         let _ = fs::remove_file(&temporary);
     }
-    written.map_err(|problem| format!("cannot write {}: {problem}", to.display()).into())
+    written
+}
+
+/// What a model takes of the board's flash and time.
+fn cost(words: &[u32], board: Board) -> Result<String, Box<dyn Error>> {
+    let model = Model::read(words).map_err(|problem| problem.to_string())?;
+    let triangles = model.mesh().faces().len();
+    let (kilobytes, most) = (words.len().div_ceil(256), board.words() / 256);
+    let rate = rate(&model, board)?;
+    let slow = if rate < SLOW {
+        ", which is slow: save the model with fewer triangles"
+    } else {
+        ""
+    };
+    Ok(format!(
+        "{triangles} triangles; {kilobytes} of {most} KB of flash for models; an estimate of {rate:.1} frames a second{slow}"
+    ))
 }
 
 /// The bytes of a file that the user names.
@@ -99,6 +138,9 @@ fn read(path: &str) -> Result<Vec<u8>, String> {
     Disk.read(Path::new(path))
         .map_err(|problem| format!("cannot read {path}: {problem}"))
 }
+
+/// Below this many frames a second, a turning model jerks.
+const SLOW: f64 = 5.0;
 
 fn picture(uf2: &[u8], now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
     let bytes = region(uf2, Board::Pico2.flash());

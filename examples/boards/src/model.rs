@@ -9,7 +9,7 @@ use embedded_graphics::text::Text;
 use fixel::canvas::Storage;
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use flash_model::{Model, Panel, Problem};
+use flash_model::{HOLE, Model, Panel, Problem, turn, view};
 use heapless::String;
 
 const SKY: Rgb565 = Rgb565::new(3, 8, 8);
@@ -19,7 +19,10 @@ pub struct Scene<'a> {
     size: (u32, u32),
     model: Result<Model<'a>, String<128>>,
     view: Mvp,
-    sun: Light,
+    /// What is left out, and the light on the rest: the sun on fronts, and then on backs. The normals of backs point
+    /// away from the viewer, so their light comes from the other side. Drawing the sides apart costs less than
+    /// `two_sided`, which computes the light of a vertex for each triangle.
+    sides: [(Cull, Light); 2],
 }
 
 impl<'a> Scene<'a> {
@@ -30,14 +33,15 @@ impl<'a> Scene<'a> {
     /// None.
     pub fn new(words: &'a [u32]) -> Result<Self, Error> {
         let size = Panel::wanted(words).size();
-        // The model lies in the ball of radius 1, which touches the borders of a square picture: 2.924 sin 20° = 1.
-        let projection = Projection::perspective(deg!(40), size, fx!(1.9), fx!(3.95))?;
-        let camera = Camera::look_at(vec3!(0, 1, 2.748), Vec3::ZERO, Vec3::Y)?;
+        let sun = |direction| Light::new(direction, fx!(0.35), fx!(0.65));
         Ok(Self {
             size,
             model: Model::read(words).map_err(message),
-            view: projection * camera,
-            sun: Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65))?,
+            view: view(size)?,
+            sides: [
+                (Cull::Back, sun(vec3!(2, 3, 4))?),
+                (Cull::Front, sun(vec3!(-2, -3, -4))?),
+            ],
         })
     }
 
@@ -70,23 +74,29 @@ impl<'a> Scene<'a> {
         let pixels = canvas.as_cells().len();
         let mut canvas = canvas.with_depth(depths.get_mut(..pixels).unwrap_or_default())?;
         canvas.clear(SKY);
-        let mvp = self.view * Transform::rotate_y(Rate::rpm(6).angle_at(now_ms));
+        let mvp = self.view * turn(now_ms);
         let options = DrawOptions::new().with_mode(Fast::within(fx!(0.25)));
         let mesh = model.mesh();
         for part in model.parts() {
-            let mesh = mesh.part(part.faces);
-            macro_rules! draw {
-                ($surface:expr) => {
-                    canvas.draw_with(&options, &mesh, &mvp, &$surface.lit(self.sun))
+            let mesh = mesh.part(part.faces.clone());
+            let color = Flat::<Rgb565>::rgb(part.color);
+            let skin = part.texture.map(Textured::new);
+            let count = if part.is_two_sided { 2 } else { 1 };
+            for &(cull, sun) in &self.sides[..count] {
+                let options = options.with_cull(cull);
+                macro_rules! draw {
+                    ($shader:expr) => {
+                        canvas.draw_with(&options, &mesh, &mvp, &$shader)
+                    };
+                }
+                match skin {
+                    None if part.is_plain() => draw!(color.lit(sun)),
+                    Some(skin) if part.is_plain() => draw!(skin.lit(sun)),
+                    None => draw!(part.painted(color, sun)),
+                    Some(skin) if part.has_holes => draw!(part.painted(skin.cut_out(HOLE), sun)),
+                    Some(skin) => draw!(part.painted(skin, sun)),
                 };
             }
-            let color = Flat::<Rgb565>::rgb(part.color);
-            match (part.texture.map(Textured::new), model.colors()) {
-                (Some(skin), Some(colors)) => draw!(colors.over(skin)),
-                (Some(skin), None) => draw!(skin),
-                (None, Some(colors)) => draw!(colors.over(color)),
-                (None, None) => draw!(color),
-            };
         }
         Ok(())
     }

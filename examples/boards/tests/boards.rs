@@ -296,7 +296,9 @@ mod model {
     use embedded_graphics::pixelcolor::RgbColor;
     use embedded_graphics::pixelcolor::raw::RawU16;
     use fixel_assets::Disk;
-    use flash_model::{Board, write};
+    use flash_model::{Board, Model, rate, write};
+    use std::collections::HashMap;
+    use std::fs;
 
     /// The cabin for a panel of 320x240 pixels.
     fn cabin() -> Vec<u32> {
@@ -320,6 +322,112 @@ mod model {
             frame.extend(colors);
         }
         frame
+    }
+
+    /// The words of an OBJ with its materials, for a panel of 240x240 pixels.
+    fn written(obj: &str, mtl: &str, name: &str) -> Vec<u32> {
+        let folder = std::env::temp_dir().join(format!("boards-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("a.mtl"), mtl).unwrap();
+        // Two texels: red, and a hole.
+        let tga = [
+            0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 32, 8, 0, 0, 255, 255, 0, 0, 0, 0,
+        ];
+        fs::write(folder.join("a.tga"), tga).unwrap();
+        let path = folder.join("a.obj");
+        fs::write(&path, format!("mtllib a.mtl\n{obj}")).unwrap();
+        let (panel, mut notes) = (flash_model::Panel::St7789, Vec::new());
+        let words = write(
+            path.to_str().unwrap(),
+            &Disk,
+            None,
+            Board::Pico,
+            panel,
+            &mut notes,
+        );
+        fs::remove_dir_all(&folder).unwrap();
+        assert_eq!(notes, [""; 0]);
+        words.unwrap()
+    }
+
+    /// How often each color but the sky's is in the frame at a time.
+    fn colors(words: &[u32], now_ms: u64) -> HashMap<Rgb565, usize> {
+        let frame = bands(words, 40, now_ms);
+        let mut counts = HashMap::new();
+        for color in frame.iter().filter(|&&color| color != frame[0]) {
+            *counts.entry(*color).or_default() += 1;
+        }
+        counts
+    }
+
+    /// A sail that turns, upright, with its front and its back to the sun by turns.
+    const SAIL: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3 4/4\n";
+
+    #[test]
+    fn a_sail_is_seen_and_lit_from_both_sides() {
+        let words = written(SAIL, "newmtl a\nKd 1 0 0\n", "sail");
+        // Half a turn later, the back is where the front was, and the sun shines on it alike.
+        for now_ms in [0, 400, 9000] {
+            let [front, back] = [now_ms, now_ms + 5000].map(|now_ms| colors(&words, now_ms));
+            assert!(front.values().sum::<usize>() > 10_000, "{front:?}");
+            let brightest = |counts: &HashMap<Rgb565, usize>| counts.keys().map(|it| it.r()).max();
+            let [front_red, back_red] = [&front, &back].map(brightest);
+            // One step for the directions of light, which are rounded each for itself.
+            let (front_red, back_red) = (front_red.unwrap(), back_red.unwrap());
+            assert!(front_red.abs_diff(back_red) <= 1, "{front_red} {back_red}");
+            let [front, back] = [front, back].map(|counts| counts.values().sum::<usize>());
+            // Half a turn exchanges the left and the right border: a column of at most 240 pixels each.
+            assert!(front.abs_diff(back) <= 480, "{front} {back}");
+        }
+    }
+
+    #[test]
+    fn holes_show_what_is_behind() {
+        let all = written(SAIL, "newmtl a\nKd 1 0 0\n", "all");
+        let half = written(SAIL, "newmtl a\nmap_Kd a.tga\n", "half");
+        for now_ms in [0, 5000] {
+            let [all, half] = [&all, &half].map(|words| colors(words, now_ms));
+            assert!(
+                half.keys()
+                    .all(|it| it.r() > 0 && it.g() == 0 && it.b() == 0),
+                "{half:?}"
+            );
+            let [all, half] = [all, half].map(|counts| counts.values().sum::<usize>());
+            // The border of the hole is a quarter of a texel off at most, which is an eighth of the sail.
+            assert!((2 * half).abs_diff(all) <= all / 4, "{half} {all}");
+        }
+    }
+
+    #[test]
+    fn emission_is_added_to_the_light() {
+        let words = written(SAIL, "newmtl a\nKd 0 0 0\nKe 0 1 0\n", "glow");
+        for now_ms in [0, 5000] {
+            let colors = colors(&words, now_ms);
+            assert!(colors.keys().eq([&Rgb565::GREEN]), "{colors:?}");
+        }
+    }
+
+    /// The estimate is within a quarter of the figures of the emulated Pico, which `.ci/boards` checks.
+    #[test]
+    fn the_frame_rate_is_estimated() {
+        const FIGURES: &str = include_str!("../../../.ci/boards");
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets");
+        for (name, file) in [("cabin", "cabin.obj"), ("globe", "globe.ply")] {
+            let start = FIGURES.split(&format!("(\"{name}\", \"st7789\", ")).nth(1);
+            let cycles = start.unwrap().split(',').next().unwrap();
+            let wanted = 125e6 / cycles.parse::<f64>().unwrap();
+            let (path, panel) = (format!("{folder}/{file}"), flash_model::Panel::St7789);
+            let words = write(&path, &Disk, None, Board::Pico, panel, &mut Vec::new());
+            let words = words.unwrap();
+            let model = Model::read(&words).unwrap();
+            let [pico, pico2] =
+                [Board::Pico, Board::Pico2].map(|board| rate(&model, board).unwrap());
+            assert!(
+                (pico / wanted - 1.0).abs() < 0.25,
+                "{name}: {pico} {wanted}"
+            );
+            assert!(pico2 > 1.5 * pico, "{pico2}");
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use bytemuck::{AnyBitPattern, NoUninit, Pod, Zeroable};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 
 use crate::Problem;
 
@@ -13,15 +14,26 @@ pub const ADDRESS: u32 = 0x1004_0000;
 /// The first word: "fixm".
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
 /// The version of the format.
-pub(crate) const VERSION: u32 = 2;
+pub(crate) const VERSION: u32 = 3;
 /// The number of words at the start of a model that the checksum leaves out. The last of these words is the checksum.
 const UNCHECKED: usize = 4;
 /// In place of a texture's index, this number says that a part has no texture.
 pub(crate) const NO_TEXTURE: u32 = u32::MAX;
 
-/// A part of a model: its first face, the face after its last, its color as 0xRRGGBB, and the index of its texture, or
-/// 0xFFFFFFFF if it has no texture.
-pub type PartRecord = [u32; 4];
+/// The bit of a part's finish that says that its faces are seen from behind, too.
+pub(crate) const TWO_SIDED: u32 = 1;
+/// The bit of a part's finish that says that its surface has its own colors in every light.
+pub(crate) const UNLIT: u32 = 2;
+/// The bit of a part's finish that says that texels with the color [`HOLE`] are holes.
+pub(crate) const HOLES: u32 = 4;
+
+/// The color of the texels that are holes, in textures that have holes.
+pub const HOLE: Rgb565 = Rgb565::MAGENTA;
+
+/// A part of a model: its first face, the face after its last, its color as 0xRRGGBB, the index of its texture, or
+/// 0xFFFFFFFF if it has no texture, the light that it sends out as 0xRRGGBB, and the bits of its finish: 1 for faces
+/// that are seen from behind, 2 for a surface without light, 4 for a texture with holes.
+pub type PartRecord = [u32; 6];
 /// A texture: its width and height in texels, and the index of its first texel.
 pub type TextureRecord = [u32; 3];
 

@@ -17,12 +17,18 @@
 //! | faces of colors | as for normals |
 //! | parts | a [`PartRecord`] |
 //! | textures | a [`TextureRecord`] |
-//! | texels | `u16`, the bits of an `Rgb565` |
+//! | texels | `u16`, the bits of an `Rgb565`; in a texture with holes, 0xF81F is a hole |
 #![cfg_attr(not(feature = "write"), no_std)]
 
-mod colors;
+#[cfg(feature = "write")]
+mod cost;
+#[cfg(feature = "write")]
+mod count;
 mod header;
+mod painted;
 mod problem;
+#[cfg(feature = "write")]
+mod sides;
 mod skin;
 #[cfg(feature = "write")]
 mod uf2;
@@ -31,12 +37,14 @@ mod write;
 
 use core::ops::Range;
 
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use fixel::mesh::flash::{Small, UvGrid};
-use fixel::{Mesh, Vec2, Vec3};
+use fixel::prelude::*;
 
-pub use colors::Colors;
-pub use header::{ADDRESS, Board, Header, Panel, PartRecord, TextureRecord};
+#[cfg(feature = "write")]
+pub use cost::rate;
+pub use header::{ADDRESS, Board, HOLE, Header, Panel, PartRecord, TextureRecord};
+pub use painted::{Colors, Painted};
 pub use problem::Problem;
 pub use skin::Skin;
 #[cfg(feature = "write")]
@@ -45,6 +53,24 @@ pub use uf2::{board, region, uf2};
 pub use write::write;
 
 use header::Lists;
+
+/// The view of a model, for a picture of this size.
+///
+/// # Errors
+///
+/// None: the numbers are constant.
+pub fn view(size: (u32, u32)) -> Result<Mvp, Error> {
+    // The model lies in the ball of radius 1, which touches the borders of a square picture: 2.924 sin 20° = 1.
+    let projection = Projection::perspective(deg!(40), size, fx!(1.9), fx!(3.95))?;
+    let camera = Camera::look_at(vec3!(0, 1, 2.748), Vec3::ZERO, Vec3::Y)?;
+    Ok(projection * camera)
+}
+
+/// How far a model has turned at a time.
+#[must_use]
+pub fn turn(now_ms: u64) -> Transform {
+    Transform::rotate_y(Rate::rpm(6).angle_at(now_ms))
+}
 
 /// A model that borrows its lists from flash.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +87,7 @@ pub struct Model<'a> {
     texels: &'a [u16],
 }
 
-/// A part of a model: faces with one color or texture.
+/// A part of a model: faces with one finish.
 #[derive(Clone, Debug)]
 pub struct Part<'a> {
     /// The part's faces: a range of the mesh's faces.
@@ -70,6 +96,37 @@ pub struct Part<'a> {
     pub color: Rgb888,
     /// The texture, if the part has one.
     pub texture: Option<Skin<'a>>,
+    /// Whether texels of the color [`HOLE`] are holes.
+    pub has_holes: bool,
+    /// The light that the surface sends out.
+    pub emission: Rgb888,
+    /// Whether the faces are seen from behind, too.
+    pub is_two_sided: bool,
+    /// Whether the surface has its own colors in every light.
+    pub is_unlit: bool,
+    /// The colors of the model's vertices, if it has any.
+    pub colors: Colors<'a>,
+}
+
+impl<'a> Part<'a> {
+    /// Whether the part only reflects light, and has neither holes nor colors of vertices. Then its surface under the
+    /// light is all there is to draw.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let is_dark = self.emission == Rgb888::BLACK;
+        is_dark && !self.is_unlit && !self.has_holes && self.colors.values.is_empty()
+    }
+
+    /// A surface in the colors of the part's vertices under a light, if light changes the part, with the light that the
+    /// part sends out.
+    pub fn painted<S, L>(&self, surface: S, light: L) -> Painted<'a, S, L> {
+        Painted {
+            surface,
+            colors: self.colors,
+            light: (!self.is_unlit).then_some(light),
+            emission: self.emission,
+        }
+    }
 }
 
 impl<'a> Model<'a> {
@@ -136,37 +193,37 @@ impl<'a> Model<'a> {
             .with_quantized_attributes(normals, (&self.uvs, self.uv_faces))
     }
 
-    /// The colors of vertices; `None` if the model has none.
-    #[must_use]
-    pub const fn colors(&self) -> Option<Colors<'a>> {
-        if self.colors.values.is_empty() {
-            return None;
-        }
-        Some(self.colors)
-    }
-
     /// The parts that make up the mesh, each with its color or texture.
     pub fn parts(&self) -> impl Iterator<Item = Part<'a>> {
         // No part is left out, because `read` has checked each part.
         self.parts.iter().flat_map(|part| self.part(part))
     }
 
-    fn part(&self, &[start, end, color, texture]: &PartRecord) -> Result<Part<'a>, Problem> {
+    fn part(&self, record: &PartRecord) -> Result<Part<'a>, Problem> {
+        let &[start, end, color, texture, emission, finish] = record;
         let faces = start as usize..end as usize;
         if self.mesh.faces().get(faces.clone()).is_none() {
             return Err(Problem::Lists);
         }
-        let [_, red, green, blue] = color.to_be_bytes();
         let texture = if texture == header::NO_TEXTURE {
             None
         } else {
             let record = self.textures.get(texture as usize).ok_or(Problem::Lists)?;
             Some(Skin::new(record, self.texels).ok_or(Problem::Lists)?)
         };
+        let rgb = |color: u32| {
+            let [_, red, green, blue] = color.to_be_bytes();
+            Rgb888::new(red, green, blue)
+        };
         Ok(Part {
             faces,
-            color: Rgb888::new(red, green, blue),
+            color: rgb(color),
             texture,
+            has_holes: finish & header::HOLES > 0,
+            emission: rgb(emission),
+            is_two_sided: finish & header::TWO_SIDED > 0,
+            is_unlit: finish & header::UNLIT > 0,
+            colors: self.colors,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Converts a model from files of a modeling program to words for flash.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 
 use bytemuck::NoUninit;
@@ -9,10 +9,10 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::mesh::flash::{UvGrid, normal_of_8};
 use fixel::{Vec2, Vec3};
 use fixel_assets::vector::{length, sub};
-use fixel_assets::{Alpha, Files, Format, Material, Model, Options, Picture};
+use fixel_assets::{Alpha, Files, Format, INVISIBLE, Material, Model, Options, Picture};
 
-use crate::header::{self, HEADER, Header, MAGIC, NO_TEXTURE, VERSION};
-use crate::{Board, Panel, PartRecord, TextureRecord};
+use crate::header::{self, HEADER, HOLES, Header, MAGIC, NO_TEXTURE, TWO_SIDED, UNLIT, VERSION};
+use crate::{Board, HOLE, Panel, PartRecord, TextureRecord, count, sides};
 
 /// The most texels along a side of a texture. This is the least power of two that is not below the 240 rows of a panel.
 const SIDE: u32 = 256;
@@ -20,6 +20,8 @@ const SIDE: u32 = 256;
 const MOST: usize = 1 << 16;
 /// What a user can do about too many values.
 const REMEDY: &str = "save it with fewer triangles";
+/// The least opacity of a texel that is drawn, where the file has no other.
+const HALF: u8 = 128;
 /// The radius of a written model. The radius is less than 1, so that an `i16` can hold a coordinate with 15 fraction
 /// bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
@@ -40,6 +42,7 @@ pub fn write(
 ) -> Result<Vec<u32>, String> {
     let path = Path::new(name);
     let of_model = |problem| format!("model {name}: {problem}");
+    count::check(path, files).map_err(of_model)?;
     let mut model = fixel_assets::read(path, files).map_err(of_model)?;
     // Normals of a model that is far too large would take long.
     let corners = model.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -50,7 +53,18 @@ pub fn write(
             "it has {count} positions: a mesh can have at most {MOST}; {REMEDY}"
         )));
     }
+    // Faces of opacity 0 are not drawn.
+    let materials = &model.materials;
+    let is_hidden = |at: u32| materials[at as usize].opacity <= 0.0;
+    (model.triangles).retain(|it| !it.material.is_some_and(is_hidden));
+    let mut skins = Skins::new(&mut model, files);
+    let scale = fitting(&model);
+    let z_up = Format::of(path) == Some(Format::Stl);
+    let has_holes = |material: &Material| skins.has_holes(material);
+    sides::cull(&mut model, has_holes, scale, z_up).map_err(|error| of_model(error.to_string()))?;
     model.complete();
+    // Each material becomes one part.
+    (model.triangles).sort_by_key(|triangle| triangle.material);
     // Lines could reach beyond the faces.
     model.edges.clear();
     if model.has_lines {
@@ -58,13 +72,14 @@ pub fn write(
     }
     let options = Options {
         center: true,
-        scale: fitting(&model),
-        z_up: Format::of(path) == Some(Format::Stl),
+        scale,
+        z_up,
         remedy: REMEDY,
         ..Options::default()
     };
     let lists = model.lists(&options).map_err(of_model)?;
-    let (parts, pictures) = parts(&mut model, files, spare);
+    let parts = parts(&mut model, &mut skins, spare);
+    let pictures = skins.pictures;
     notes.extend(model.notes.iter().chain(model.far.clone()));
 
     let (positions, fraction) = lists.quantized_positions();
@@ -110,10 +125,9 @@ pub fn write(
             ..Header::default()
         };
         if words.len() <= board.words() {
-            for (picture, [width, height, _]) in pictures.iter().zip(&textures) {
-                let old = [picture.width, picture.height];
-                if old.iter().any(|&old| old > side) {
-                    let [old_width, old_height] = old;
+            for ((_, [old_width, old_height]), [width, height, _]) in pictures.iter().zip(&textures)
+            {
+                if old_width.max(old_height) > &side {
                     notes.push(format!(
                         "a texture of {old_width}x{old_height} texels is shrunk to {width}x{height}"
                     ));
@@ -162,68 +176,124 @@ fn fitting(model: &Model) -> f64 {
     if radius > 0.0 { RADIUS / radius } else { 1.0 }
 }
 
-/// Returns the parts, and the pictures that the parts use, each multiplied by its material's tint.
-fn parts(
-    model: &mut Model,
-    files: &dyn Files,
-    spare: Option<&Picture>,
-) -> (Vec<PartRecord>, Vec<Picture>) {
+/// The key of a picture: the index of its image, its tint, and what its alpha means.
+type Key = (u32, [u8; 3], Alpha);
+
+/// The pictures of a model's materials, each with the size that it has in its file.
+struct Skins {
+    places: HashMap<Key, Option<u32>>,
+    pictures: Vec<(Picture, [u32; 2])>,
+}
+
+impl Skins {
+    /// Reads the pictures that faces use, each multiplied by its material's tint. Notes those that cannot be read.
+    fn new(model: &mut Model, files: &dyn Files) -> Self {
+        let (places, pictures) = Default::default();
+        let mut skins = Self { places, pictures };
+        let used: BTreeSet<_> = model
+            .triangles
+            .iter()
+            .filter_map(|it| it.material)
+            .collect();
+        for material in used {
+            let material = model.materials[material as usize].clone();
+            let Some(key) = key(&material).filter(|key| !skins.places.contains_key(key)) else {
+                continue;
+            };
+            let picture = model.texture(&material, files);
+            let place = picture.map(|picture| skins.add(model, &picture));
+            skins.places.insert(key, place);
+        }
+        skins
+    }
+
+    /// Adds a picture, and returns its index. Its texels become holes or opaque.
+    fn add(&mut self, model: &mut Model, picture: &Picture) -> u32 {
+        let is_translucent = |pixel: &[u8; 4]| !matches!(pixel[3], 0 | 255);
+        if picture.pixels.iter().any(is_translucent) {
+            let note = "translucent texels are drawn opaque, and as holes below half opacity";
+            model.notes.add(note);
+        }
+        let mut small = shrunk(picture, SIDE);
+        if small.cut(Alpha::Cut(HALF)) {
+            model.notes.add(INVISIBLE);
+        }
+        self.pictures.push((small, [picture.width, picture.height]));
+        u32::try_from(self.pictures.len() - 1).unwrap_or(NO_TEXTURE)
+    }
+
+    /// The index of a material's picture; `None` if it has none.
+    fn of(&self, material: &Material) -> Option<u32> {
+        *self.places.get(&key(material)?)?
+    }
+
+    fn has_holes(&self, material: &Material) -> bool {
+        let place = self.of(material);
+        let picture = place.and_then(|at| self.pictures.get(at as usize));
+        picture.is_some_and(|(picture, _)| picture.has_alpha())
+    }
+}
+
+/// The key of a material's picture, if it has one.
+fn key(material: &Material) -> Option<Key> {
+    Some((material.texture?, material.tint, material.alpha))
+}
+
+/// Returns the parts. If the model has no picture, all parts get the picture `spare`, if there is one.
+fn parts(model: &mut Model, skins: &mut Skins, spare: Option<&Picture>) -> Vec<PartRecord> {
     let plain = Material::new(String::new());
-    let mut pictures = Vec::new();
-    let mut places = HashMap::new();
+    let spare = spare.filter(|_| skins.pictures.is_empty());
+    let spare = spare.map(|spare| skins.add(model, spare));
     let mut parts = Vec::new();
-    let mut is_simple = true;
     for run in model.runs() {
         let material = run.material.and_then(|at| model.materials.get(at as usize));
-        let material = material.unwrap_or(&plain).clone();
-        let texture = material.texture.and_then(|image| {
-            let key = (image, material.tint, material.alpha);
-            *places.entry(key).or_insert_with(|| {
-                pictures.push(model.texture(&material, files)?);
-                u32::try_from(pictures.len() - 1).ok()
-            })
-        });
-        let picture = texture.and_then(|at: u32| pictures.get(at as usize));
-        let has_holes = material.alpha != Alpha::Ignored && picture.is_some_and(Picture::has_alpha);
-        is_simple &= material.emission == [0; 3] && material.opacity >= 1.0 && !has_holes;
-        let [red, green, blue] = material.color;
-        let color = u32::from_be_bytes([0, red, green, blue]);
+        let material = material.unwrap_or(&plain);
+        let texture = skins.of(material).or(spare).unwrap_or(NO_TEXTURE);
+        let picture = skins.pictures.get(texture as usize);
+        let finish = [
+            (material.two_sided, TWO_SIDED),
+            (material.unlit, UNLIT),
+            (
+                picture.is_some_and(|(picture, _)| picture.has_alpha()),
+                HOLES,
+            ),
+        ];
+        let finish = finish.into_iter().filter(|(is, _)| *is);
+        let finish = finish.map(|(_, bit)| bit).sum();
+        let [color, emission] = [material.color, material.emission]
+            .map(|[red, green, blue]| u32::from_be_bytes([0, red, green, blue]));
         let [start, end] = run.faces.map(|at| u32::try_from(at).unwrap_or(u32::MAX));
-        parts.push([start, end, color, texture.unwrap_or(NO_TEXTURE)]);
-    }
-    if !is_simple {
-        model
-            .notes
-            .add("all materials are opaque, and none sends out light");
-    }
-    if let (true, Some(spare)) = (pictures.is_empty(), spare) {
-        pictures.push(spare.clone());
-        for part in &mut parts {
-            part[3] = 0;
+        parts.push([start, end, color, texture, emission, finish]);
+        if material.opacity < 1.0 {
+            model.notes.add("translucent materials are drawn opaque");
         }
     }
-    (parts, pictures)
+    parts
+}
+
+/// A picture with sides of powers of two, of at most `most` texels.
+fn shrunk(picture: &Picture, most: u32) -> Picture {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // log2 is 0 to 8
+    let near = |side: u32| 1 << f64::from(side.clamp(1, most)).log2().round() as u32;
+    picture.resampled(near(picture.width), near(picture.height))
 }
 
 /// Converts pictures to textures with sides of at most `most` texels.
-fn textures(pictures: &[Picture], most: u32) -> (Vec<TextureRecord>, Vec<u16>) {
+fn textures(pictures: &[(Picture, [u32; 2])], most: u32) -> (Vec<TextureRecord>, Vec<u16>) {
     let mut texels = Vec::new();
-    let textures = pictures.iter().map(|picture| {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // log2 is 0 to 8
-        let near = |side: u32| 1 << f64::from(side.clamp(1, most)).log2().round() as u32;
-        let [width, height] = [picture.width, picture.height].map(near);
+    let textures = pictures.iter().map(|(picture, _)| {
         let first = u32::try_from(texels.len()).unwrap_or(u32::MAX);
-        let resampled;
-        let picture = if [width, height] == [picture.width, picture.height] {
-            picture
-        } else {
-            resampled = picture.resampled(width, height);
-            &resampled
-        };
-        texels.extend(picture.pixels.iter().map(|&[red, green, blue, _]| {
-            RawU16::from(Rgb565::from(Rgb888::new(red, green, blue))).into_inner()
+        let (small, has_holes) = (shrunk(picture, most), picture.has_alpha());
+        texels.extend(small.pixels.iter().map(|&[red, green, blue, alpha]| {
+            let texel = match Rgb565::from(Rgb888::new(red, green, blue)) {
+                _ if alpha < HALF => HOLE,
+                // The nearest color that is no hole.
+                HOLE if has_holes => Rgb565::new(31, 1, 31),
+                color => color,
+            };
+            RawU16::from(texel).into_inner()
         }));
-        [width, height, first]
+        [small.width, small.height, first]
     });
     (textures.collect(), texels)
 }

@@ -5,10 +5,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixel::Fragment;
 use fixel::prelude::*;
+use fixel::shade::Precise;
 use fixel::texture::Sampler;
 use fixel_assets::{Files, Picture};
-use flash_model::{Board, Model, Panel, Problem, write};
+use flash_model::{Board, HOLE, Model, Panel, Part, Problem, write};
 
 const BRICK: &[u8] = include_bytes!("../../../src/texture/samples/brick.tga");
 /// The house of tests/models, with a picture for its bricks.
@@ -65,10 +67,9 @@ fn notes_tell_what_is_left_out() {
         let files = [("a.obj", obj.as_bytes()), ("a.mtl", mtl.as_bytes())];
         written(&files, None, Board::Pico).unwrap().1
     };
-    let opaque = ["all materials are opaque, and none sends out light"];
     assert_eq!(lantern("Kd 1 0 0"), [""; 0]);
-    assert_eq!(lantern("d 0.5"), opaque);
-    assert_eq!(lantern("Ke 1 1 0"), opaque);
+    assert_eq!(lantern("Ke 1 1 0"), [""; 0]);
+    assert_eq!(lantern("d 0.5"), ["translucent materials are drawn opaque"]);
     let [missing] = &lantern("map_Kd a.png")[..] else {
         panic!("one note")
     };
@@ -79,6 +80,133 @@ fn notes_tell_what_is_left_out() {
     assert_eq!(lantern("Tr 1"), ["Tr 1 without d is read as opaque"]);
     let hidden = ["all faces have the opacity 0: they are drawn opaque"];
     assert_eq!(lantern("d 0"), hidden);
+}
+
+/// A closed tetrahedron with its normals outward, and an open square, both two-sided, then what else a face can be.
+#[test]
+fn each_part_has_its_finish() {
+    let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 2 0 2\nvt 0 0\nusemtl plain\n\
+               f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 5 6 3\nusemtl holes\nf 5/1 6/1 2/1\nusemtl hidden\nf 5 6 1\n\
+               usemtl glow\nf 5 6 4\n";
+    let mtl = "newmtl plain\nKd 1 0 0\nnewmtl holes\nmap_Kd a.png\nnewmtl hidden\nd 0\nnewmtl glow\nKd 0 0 0\n\
+               Ke 0 1 0\n";
+    // Magenta, which is the color of holes, a hole, and green and blue at the border of opacity.
+    let picture = png(
+        2,
+        2,
+        &[255, 0, 255, 255, 1, 2, 3, 0, 0, 255, 0, 128, 0, 0, 255, 127],
+    );
+    let files = [
+        ("a.obj", obj.as_bytes()),
+        ("a.mtl", mtl.as_bytes()),
+        ("a.png", &picture),
+    ];
+    let (words, notes) = written(&files, None, Board::Pico).unwrap();
+    let hidden = "a material has the opacity 0: its faces are invisible";
+    assert_eq!(notes, [hidden]);
+    let model = Model::read(&words).unwrap();
+    let parts: Vec<_> = model.parts().collect();
+    let finish = |part: &Part<'_>| {
+        let colors = [part.color, part.emission];
+        let is = [
+            part.is_two_sided,
+            part.is_unlit,
+            part.has_holes,
+            part.is_plain(),
+        ];
+        (part.faces.clone(), colors, is)
+    };
+    let [red, black, green, white] = [Rgb888::RED, Rgb888::BLACK, Rgb888::GREEN, Rgb888::WHITE];
+    // The faces of the tetrahedron come last: they are of a one-sided twin of their material.
+    let wanted = [
+        (0..1, [red, black], [true, false, false, true]),
+        (1..2, [white, black], [true, false, true, false]),
+        (2..3, [black, green], [true, false, false, false]),
+        (3..7, [red, black], [false, false, false, true]),
+    ];
+    assert_eq!(parts.iter().map(finish).collect::<Vec<_>>(), wanted);
+    let skin = parts[1].texture.unwrap();
+    let texels = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(u, v)| skin.texel(u, v));
+    let other = Rgb565::new(31, 1, 31);
+    assert_eq!(texels, [other, HOLE, Rgb565::GREEN, HOLE]);
+
+    // The user's own picture has holes, too.
+    let spare = Picture::decode(&picture).unwrap();
+    let files = [("a.obj", &b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..])];
+    let (words, notes) = written(&files, Some(&spare), Board::Pico).unwrap();
+    let holes = "translucent texels are drawn opaque, and as holes below half opacity";
+    assert_eq!(notes, [holes]);
+    let model = Model::read(&words).unwrap();
+    assert!(model.parts().all(|part| part.has_holes));
+}
+
+/// A surface turned inside out needs its backs, and so does one with holes in it.
+#[test]
+fn only_closed_surfaces_with_outer_fronts_are_one_sided() {
+    let sides = |faces: &str, lines: &str| {
+        let obj =
+            format!("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nusemtl a\n{faces}");
+        let mtl = format!("newmtl a\n{lines}");
+        let [whole, holes] = [255, 0].map(|alpha| png(2, 1, &[9, 9, 9, 255, 9, 9, 9, alpha]));
+        let files = [
+            ("a.obj", obj.as_bytes()),
+            ("a.mtl", mtl.as_bytes()),
+            ("whole.png", &whole),
+            ("holes.png", &holes),
+        ];
+        let (words, _) = written(&files, None, Board::Pico).unwrap();
+        let model = Model::read(&words).unwrap();
+        let sides: Vec<_> = model.parts().map(|part| part.is_two_sided).collect();
+        sides
+    };
+    let closed = "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 2/1 3/1 4/1\nf 1/1 4/1 3/1\n";
+    assert_eq!(sides(closed, ""), [false]);
+    assert_eq!(sides(closed, "map_Kd whole.png"), [false]);
+    assert_eq!(sides(closed, "map_Kd holes.png"), [true]);
+    assert_eq!(sides("f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n", ""), [true]);
+    // One face of four has the other direction, or is missing.
+    assert_eq!(sides("f 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", ""), [true]);
+    assert_eq!(sides("f 1 2 4\nf 2 3 4\nf 1 4 3\n", ""), [true]);
+}
+
+/// Painted parts have the colors that the library's own shaders give them.
+#[test]
+fn light_and_emission_are_those_of_the_library() {
+    let obj = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nvn 0 0 1\nvn 1 0 1\nvn 0 1 1\nf 1//1 2//2 3//3\n";
+    let (words, _) = written(&[("a.obj", obj.as_bytes())], None, Board::Pico).unwrap();
+    let model = Model::read(&words).unwrap();
+    let part = model.parts().next().unwrap();
+    let sun = Light::new(vec3!(2, 3, 4), fx!(0.35), fx!(0.65)).unwrap();
+    let color = Flat::<Rgb565>::rgb(Rgb888::new(200, 100, 50));
+    let emission = Rgb888::new(0, 20, 255);
+    let [lit, glowing, unlit] = [(Rgb888::BLACK, false), (emission, false), (emission, true)].map(
+        |(emission, is_unlit)| {
+            let part = Part {
+                emission,
+                is_unlit,
+                ..part.clone()
+            };
+            drawn(&model.mesh(), part.painted(color, sun))
+        },
+    );
+    assert!(lit == drawn(&model.mesh(), color.lit(sun)));
+    let glow = Precise::of_rgb(emission);
+    let plus = |_: &Fragment, color: Precise<Rgb565>| Some(color.plus(glow));
+    assert!(glowing == drawn(&model.mesh(), color.lit(sun).map(plus)));
+    // 200 + 0, 100 + 20, and 50 + 255, which is too much.
+    let own = Rgb565::from(Rgb888::new(200, 120, 255));
+    assert!(unlit.contains(&own) && unlit.iter().all(|&it| it == own || it == Rgb565::BLACK));
+}
+
+/// A PNG of red, green, blue and alpha.
+fn png(width: u32, height: u32, pixels: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(pixels).unwrap();
+    writer.finish().unwrap();
+    file
 }
 
 /// Word numbers of the header.
@@ -188,6 +316,7 @@ fn colors_tint_as_those_of_a_mesh() {
         ("a.obj", obj, of_positions, None),
         ("a.ply", ply, &[red, blue][..], Some(&[[0; 3], [1; 3]][..])),
     ];
+    let sun = Light::new(Vec3::Y, fx!(0), fx!(1)).unwrap();
     for (name, text, colors, faces) in cases {
         let picture = Picture::decode(BRICK).unwrap();
         for spare in [None, Some(&picture)] {
@@ -202,20 +331,25 @@ fn colors_tint_as_those_of_a_mesh() {
             }
             let model = Model::read(&words).unwrap();
             let part = model.parts().next().unwrap();
-            let (mesh, own) = (model.mesh(), model.colors().unwrap());
+            let part = Part {
+                is_unlit: true,
+                ..part
+            };
+            let mesh = model.mesh();
             let wanted = mesh.with_colors(colors, faces).unwrap();
             let (found, wanted) = if let Some(skin) = part.texture {
                 let skin = Textured::new(skin);
-                (drawn(&mesh, own.over(skin)), drawn(&wanted, skin.tinted()))
+                let found = drawn(&mesh, part.painted(skin, sun));
+                (found, drawn(&wanted, skin.tinted()))
             } else {
                 let flat = Flat::<Rgb565>::rgb(part.color);
-                (drawn(&mesh, own.over(flat)), drawn(&wanted, flat.tinted()))
+                let found = drawn(&mesh, part.painted(flat, sun));
+                (found, drawn(&wanted, flat.tinted()))
             };
             assert!(found == wanted, "{name}");
             assert!(wanted.iter().collect::<HashSet<_>>().len() > 2);
         }
     }
-    assert!(Model::read(&house()).unwrap().colors().is_none());
 }
 
 /// The pixels of a mesh in a square picture.
@@ -256,7 +390,7 @@ fn every_damaged_bit_is_noticed() {
 
 /// Where the lists begin.
 fn starts(words: &[u32]) -> [usize; HEADER - COUNTS] {
-    let sizes = [6, 6, 3, 6, 4, 6, 3, 6, 16, 12, 2];
+    let sizes = [6, 6, 3, 6, 4, 6, 3, 6, 24, 12, 2];
     let mut at = HEADER;
     let starts = std::array::from_fn(|list| {
         let start = at;
@@ -352,6 +486,28 @@ fn a_model_that_is_too_large_gets_smaller_pictures_or_is_refused() {
     let error = large(21_846, 1, None, Board::Pico2).unwrap_err();
     let wanted = "model a.obj: it has 65538 positions: a mesh can have at most 65536; save it with fewer triangles";
     assert_eq!(error, wanted);
+}
+
+/// The files are refused before their triangles are read, so that these need no positions.
+#[test]
+fn a_far_too_large_model_is_refused_by_its_header() {
+    let refused = |name: &str, bytes: &[u8]| {
+        let error = written(&[(name, bytes)], None, Board::Pico2).unwrap_err();
+        let wanted =
+            "it has 300000 faces: a board can show at most 262144; save it with fewer triangles";
+        assert_eq!(error, format!("model {name}: {wanted}"));
+    };
+    let mut stl = vec![0; 84 + 50 * 300_000];
+    stl[80..84].copy_from_slice(&300_000_u32.to_le_bytes());
+    refused("a.stl", &stl);
+    let facet = "facet normal 0 0 1\n outer loop\n  vertex\n";
+    refused(
+        "a.stl",
+        format!("solid a\n{}", facet.repeat(300_000)).as_bytes(),
+    );
+    refused("a.obj", " f 1 2 3\n".repeat(300_000).as_bytes());
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nelement face 300000\nend_header\n";
+    refused("a.ply", ply.as_bytes());
 }
 
 /// Triangles apart from each other, each several times.

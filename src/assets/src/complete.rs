@@ -117,14 +117,18 @@ impl Model {
                 .collect();
             let mut sums = smooth(&faces);
             let smoothing = |place: usize| self.triangles[corners[place] / 3].smoothing;
+            let mut groups = HashMap::new();
+            for (place, &face) in faces.iter().enumerate() {
+                if let Smoothing::Group(group) = smoothing(place) {
+                    let sum = groups.entry(group).or_insert([0.0; 3]);
+                    *sum = add(*sum, face);
+                }
+            }
             for (place, sum) in sums.iter_mut().enumerate() {
                 *sum = match smoothing(place) {
                     Smoothing::Angle => continue,
                     Smoothing::Flat => faces[place],
-                    group @ Smoothing::Group(_) => {
-                        let same = (0..faces.len()).filter(|&other| smoothing(other) == group);
-                        same.fold([0.0; 3], |sum, other| add(sum, faces[other]))
-                    }
+                    Smoothing::Group(group) => groups[&group],
                 };
             }
             for (at, sum) in corners.into_iter().zip(sums) {

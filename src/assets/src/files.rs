@@ -1,5 +1,6 @@
 //! Where the importer finds files.
 
+use std::cell::Cell;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -60,6 +61,9 @@ fn in_any_case(path: &Path) -> Option<PathBuf> {
     Some(found)
 }
 
+/// At most this many names are searched for in folders: a search can read whole folders.
+pub const SEARCHES: usize = 4096;
+
 /// The folder of a model, and the files in it.
 #[derive(Clone, Copy)]
 pub struct Folder<'a> {
@@ -69,6 +73,8 @@ pub struct Folder<'a> {
     pub own: Option<&'a Path>,
     /// The model's size in bytes.
     pub all: usize,
+    /// How many names can still be searched for.
+    pub searches: &'a Cell<usize>,
 }
 
 impl Folder<'_> {
@@ -79,6 +85,11 @@ impl Folder<'_> {
     pub fn beside(&self, name: &str) -> PathBuf {
         let name = name.replace('\\', "/");
         let last = name.rsplit('/').next().unwrap_or(&name);
+        let searches = self.searches.get();
+        self.searches.set(searches.saturating_sub(1));
+        if searches == 0 {
+            return self.path.join(name);
+        }
         let folders = self.own.into_iter().chain([self.path]);
         let both = |name| folders.clone().map(move |folder| folder.join(name));
         let paths: Vec<PathBuf> = both(name.as_str()).chain(both(last)).collect();

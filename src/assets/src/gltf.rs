@@ -49,10 +49,11 @@ const NOT_DRAWN: [(&str, &str); 4] = [
     ("/extensions/KHR_materials_pbrSpecularGlossiness/specularGlossinessTexture", "specular and glossy surfaces"),
 ];
 
-/// An accessor without bytes, with values of 0, may have at most this many values. All nodes together may have at most
-/// this many vertices, or as many as the file has bytes. Without these limits, a short file could claim all memory,
-/// because nodes can share a mesh.
-const MOST: usize = 1 << 20;
+/// Nodes can share meshes, skins and lists of values. All nodes together may read this many bytes of values, or 16 times
+/// as many as the file has. Without this limit, a short file could take any time.
+const BYTES: usize = 1 << 24;
+/// A list of values, or a part of a mesh, counts at least as this many bytes.
+const STEP: usize = 64;
 
 /// Reads the triangles of a glTF file's default scene. Without a default scene, reads its first scene.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
@@ -85,7 +86,9 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
         }
     }
     reader.buffers(binary);
+    reader.model.bytes = reader.folder.all;
     reader.images();
+    reader.read = 0;
     for material in list(&root, "materials") {
         let material = reader.material(material);
         reader.model.materials.push(material);
@@ -221,6 +224,17 @@ impl<'a> Reader<'a> {
         items.get(at).ok_or_else(missing)
     }
 
+    /// Counts bytes of values that are read.
+    fn spend(&mut self, bytes: usize) -> Result<(), String> {
+        let Folder { all, files, .. } = self.folder;
+        self.read = self.read.saturating_add(bytes);
+        if self.read > BYTES.max(all.saturating_mul(16)) {
+            return Err("its nodes share too much: they would repeat it too often".into());
+        }
+        files.progress(self.read.min(all), all);
+        Ok(())
+    }
+
     /// The path of the file with this URI.
     fn path(&self, uri: &str) -> PathBuf {
         self.folder
@@ -228,16 +242,21 @@ impl<'a> Reader<'a> {
     }
 
     fn buffers(&mut self, binary: Option<&[u8]>) {
+        let mut paths = HashSet::new();
         for (at, buffer) in list(self.root, "buffers").iter().enumerate() {
             let bytes = match buffer["uri"].as_str() {
-                None => binary
-                    .map(<[u8]>::to_vec)
-                    .ok_or_else(|| "the file has no binary part".into()),
+                None => (binary.filter(|_| at == 0).map(<[u8]>::to_vec))
+                    .ok_or_else(|| "the file has no binary part for it".into()),
                 Some(uri) => data(uri).unwrap_or_else(|| {
                     let path = self.path(uri);
-                    self.model.files.push(path.clone());
+                    let name = path.display();
+                    if !paths.insert(path.clone()) {
+                        return Err(format!("another buffer is {name}"));
+                    }
                     let read = contents(self.folder.files.read(&path));
-                    read.map_err(|error| format!("cannot read {}: {error}", path.display()))
+                    let read = read.map_err(|error| format!("cannot read {name}: {error}"));
+                    self.model.files.push(path);
+                    read
                 }),
             };
             let needed = whole(&buffer["byteLength"]).unwrap_or(0);
@@ -266,7 +285,8 @@ impl<'a> Reader<'a> {
                     }
                     Some(bytes) => bytes,
                 },
-                (None, Some(view)) => self.view(view).map(|(bytes, _)| bytes.to_vec()),
+                (None, Some(view)) => (self.view(view).map(|(bytes, _)| bytes.to_vec()))
+                    .and_then(|bytes| self.spend(bytes.len()).map(|()| bytes)),
                 (None, None) => Err("it names no file".into()),
             };
             if let Err(problem) = &bytes {
@@ -446,6 +466,7 @@ impl<'a> Reader<'a> {
     /// The matrices of a skin's joints, at rest.
     fn joints(&mut self, skin: usize, places: &[Option<Matrix>]) -> Result<Vec<Matrix>, String> {
         let skin = self.item("skins", skin)?;
+        self.spend(size_of_val(list(skin, "joints")))?;
         let inverses = match whole(&skin["inverseBindMatrices"]) {
             Some(at) => self.values::<16>(at)?,
             None => Vec::new(),
@@ -467,6 +488,7 @@ impl<'a> Reader<'a> {
         joints: &[Matrix],
         node: Matrix,
     ) -> Result<(), String> {
+        self.spend(STEP)?;
         let mode = whole(&primitive["mode"]).unwrap_or(4);
         if mode < 4 {
             let what = if mode == 0 { "points" } else { "lines" };
@@ -520,12 +542,7 @@ impl<'a> Reader<'a> {
         }
         let mut positions = self.values::<3>(positions)?;
         let count = positions.len();
-        let (all, bytes) = (self.model.positions.len() + count, self.folder.all);
-        if all > MOST.max(bytes) {
-            return Err(format!(
-                "with it, there are {all} vertices: at most {MOST} are read"
-            ));
-        }
+        (self.model).check(self.model.positions.len() + count, "vertices")?;
         let mut normals = self.attribute::<3>(&attributes["NORMAL"], count)?;
         for (target, &weight) in list(primitive, "targets").iter().zip(weights) {
             for (name, values) in [("POSITION", &mut positions), ("NORMAL", &mut normals)] {

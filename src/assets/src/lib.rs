@@ -52,12 +52,13 @@ mod text;
 pub mod vector;
 mod winding;
 
-use std::collections::HashMap;
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 use std::path::{Path, PathBuf};
 
-use files::Folder;
 pub use files::{Disk, Files};
+use files::{Folder, SEARCHES};
 pub use lists::{Lists, Options, Run};
 pub use material::{Alpha, INVISIBLE, Image, Material, times};
 pub use notes::Notes;
@@ -65,6 +66,10 @@ pub use outline::outline;
 pub use picture::Picture;
 use polygon::Ears;
 pub use sniff::Format;
+
+/// Any file may have this many triangles and this many vertices; a file of more than a megabyte, one for 4 of its bytes.
+/// Vertices that are not repeated take more. Without a limit, a short file could claim all memory.
+const MOST: usize = 1 << 18;
 
 /// A model as the file describes it, in f64, before any rounding.
 #[derive(Debug, Default)]
@@ -99,6 +104,12 @@ pub struct Model {
     pub far: Option<String>,
     ears: Ears,
     object: Option<u32>,
+    places: HashMap<String, u32>,
+    /// The size of the files that the model is read from, in bytes.
+    bytes: usize,
+    /// The pictures that were read, the number of their pixels, and how many pixels may be read.
+    decoded: HashSet<u32>,
+    pixels: [usize; 2],
 }
 
 /// A triangle.
@@ -149,7 +160,9 @@ pub fn read(path: &Path, files: &dyn Files) -> Result<Model, String> {
     let read = || -> Result<Model, String> {
         let bytes = files.read(path);
         let bytes = bytes.map_err(|error| format!("it cannot be read: {error}"))?;
+        let searches = Cell::new(SEARCHES);
         let folder = Folder {
+            searches: &searches,
             files,
             path: path.parent().unwrap_or(Path::new("")),
             own: None,
@@ -206,11 +219,22 @@ fn merge<K: Eq + Hash, T>(
 impl Model {
     /// Makes the next polygons belong to the object of this name.
     fn begin_object(&mut self, name: &str) {
-        let found = self.objects.iter().position(|object| object == name);
-        if found.is_none() {
-            self.objects.push(name.into());
+        self.object = merge(
+            &mut self.objects,
+            &mut self.places,
+            name.into(),
+            name.into(),
+        )
+        .ok();
+    }
+
+    /// Fails if there are too many elements of a kind for the size of the file.
+    fn check(&self, count: usize, kind: &str) -> Result<(), String> {
+        let most = MOST.max(self.bytes / 4);
+        if count <= most {
+            return Ok(());
         }
-        self.object = u32::try_from(found.unwrap_or(self.objects.len() - 1)).ok();
+        Err(format!("it has over {most} {kind}: too many for its size"))
     }
 
     /// Adds an edge.

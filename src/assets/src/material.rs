@@ -5,6 +5,9 @@ use std::path::PathBuf;
 
 use super::{Files, Model, Picture, next};
 
+/// All textures of a model may have this many pixels, or 16 for each byte of their files: see `check` in picture.rs.
+const PIXELS: usize = 1 << 26;
+
 /// A transform of texture coordinates. `[[a, b, c], [d, e, f]]` moves (u, v) to (a u + b v + c, d u + e v + f).
 pub type Affine = [[f64; 3]; 2];
 
@@ -149,7 +152,21 @@ impl Model {
             }
         };
         let bytes = bytes.map_err(|error| error.to_string());
-        let picture = bytes.and_then(|bytes| Picture::decode(&bytes));
+        let picture = bytes.and_then(|bytes| {
+            let picture = Picture::decode(&bytes)?;
+            // Many materials can share a picture, and each may need another tint of it.
+            let [read, most] = &mut self.pixels;
+            if self.decoded.insert(at) {
+                *most += 16 * bytes.len();
+            }
+            *read += picture.pixels.len();
+            if *read > PIXELS.max(*most) {
+                return Err(format!(
+                    "with it, the textures have {read} pixels: too many"
+                ));
+            }
+            Ok(picture)
+        });
         picture.map_err(|problem| format!("cannot read texture {name}: {problem}"))
     }
 
@@ -200,7 +217,9 @@ impl Model {
             glow,
             light,
         };
-        let known = self.images.iter().position(|other| *other == image);
+        // Materials that share a picture mostly follow each other. A file can have too many to compare them all.
+        let last = (0..self.images.len()).rev().take(1024);
+        let known = { last }.find(|&at| self.images[at] == image);
         if known.is_none() {
             self.images.push(image);
         }

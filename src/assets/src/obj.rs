@@ -12,6 +12,7 @@ use super::{Corner, Model, Smoothing, next};
 /// Reads OBJ text and, from `folder`, the material files that the text names.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
+    reader.model.bytes = bytes.len();
     let mut statements = statements(bytes, |line, read| folder.progress(line, read));
     let result = statements.try_for_each(|(line, statement)| {
         let read = reader.statement(&statement, folder);
@@ -25,6 +26,9 @@ pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
 
 /// The largest number of corners of a face. A face with more corners is a mistake that would fill the memory.
 const MOST_CORNERS: usize = 1_000_000;
+
+/// The largest number of files of materials.
+const MOST_LIBRARIES: usize = 64;
 
 /// A polygon, with the material, the smoothing and the object that were set at its line.
 struct Polygon {
@@ -111,6 +115,9 @@ impl Reader {
             b"usemtl" if value.is_empty() && !self.materials.has(value) => self.material = None,
             b"usemtl" => self.material = Some(self.materials.named(model, value)?),
             b"mtllib" if !self.libraries.insert(value.to_vec()) => {}
+            b"mtllib" if self.libraries.len() > MOST_LIBRARIES => {
+                return Err(format!("it names over {MOST_LIBRARIES} files of materials"));
+            }
             b"mtllib" => self.library(&String::from_utf8_lossy(value), folder)?,
             b"g" | b"o" if !value.is_empty() => {
                 model.begin_object(&String::from_utf8_lossy(value));
@@ -124,7 +131,8 @@ impl Reader {
 
     /// Reads the materials that `mtllib` names: one file or several files. A missing file only causes a note.
     fn library(&mut self, names: &str, folder: Folder<'_>) -> Result<(), String> {
-        let parts = names.split_whitespace().map(|name| folder.beside(name));
+        let parts = names.split_whitespace().take(MOST_LIBRARIES);
+        let parts = parts.map(|name| folder.beside(name));
         let mut files: Vec<_> = parts.collect();
         let whole = folder.beside(names);
         let is_found = |file: &PathBuf| folder.files.find(file).is_some();

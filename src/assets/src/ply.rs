@@ -9,7 +9,10 @@ use crate::{Corner, Image, Material, Model, Smoothing, merge, next};
 
 /// Reads a PLY file: its elements `vertex`, `face` and `tristrips`.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
-    let mut model = Model::default();
+    let mut model = Model {
+        bytes: bytes.len(),
+        ..Model::default()
+    };
     let mut file = File {
         bytes,
         at: 0,

@@ -13,6 +13,9 @@ const MOST: f64 = 1e30;
 /// Texture coordinates beyond this limit are moved near 0 by whole repeats, because the mesh's format ends at 2048.
 const FAR: f64 = 1024.0;
 
+/// All polygons of a model that are cut may take this many steps, which is a second: a polygon of 23,000 corners.
+const STEPS: usize = 1 << 29;
+
 impl Model {
     /// Adds a polygon as triangles, and its outline. A polygon with fewer than 3 corners, or with a position that is
     /// missing or not a number, is left out. Texture coordinates far from 0 are moved near 0. If a texture coordinate
@@ -41,6 +44,7 @@ impl Model {
             self.notes.add(format!("a face is left out: {problem}"));
             return Ok(());
         }
+        self.check(self.triangles.len() + corners.len() - 2, "triangles")?;
         self.fix_uvs(corners)?;
         self.fix_normals(corners)?;
         let colors = self.colors.len();
@@ -159,6 +163,8 @@ pub struct Ears {
     points: Vec<[f64; 2]>,
     indices: Vec<u32>,
     triangles: Vec<[usize; 3]>,
+    /// How many steps have been taken at most to cut polygons.
+    steps: usize,
 }
 
 impl fmt::Debug for Ears {
@@ -216,8 +222,13 @@ impl Ears {
             .all(|&triangle| self.area(triangle) >= 0.0)
     }
 
-    /// Replaces the fan by triangles within the polygon, if such triangles cover the whole polygon.
+    /// Replaces the fan by triangles within the polygon, if such triangles cover the whole polygon, and are found in
+    /// fewer than [`STEPS`] steps. In the worst case, each corner is compared with each other.
     fn cut(&mut self) {
+        self.steps += self.points.len() * self.points.len();
+        if self.steps > STEPS {
+            return;
+        }
         let earcut = self.earcut.get_or_insert_with(Earcut::new);
         earcut.earcut(self.points.iter().copied(), &[], &mut self.indices);
         // The deviation is the difference between the triangles' total area and the polygon's area, relative to the

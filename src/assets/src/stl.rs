@@ -10,6 +10,7 @@ use super::{Corner, Model, Smoothing, merge};
 /// Reads an STL file. The file's normals are ignored, because they are zero or follow from the corners.
 pub fn read(bytes: &[u8], folder: Folder<'_>) -> Result<Model, String> {
     let mut reader = Reader::default();
+    reader.model.bytes = bytes.len();
     // The header of a binary file may also begin with "solid".
     if is_binary_stl(bytes) || bytes.iter().take(1024).any(|&byte| byte == 0) {
         reader.binary(bytes, folder)?;

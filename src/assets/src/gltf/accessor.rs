@@ -2,7 +2,8 @@
 
 use serde_json::Value;
 
-use super::{MOST, Reader, check_compression, whole};
+use super::{Reader, STEP, check_compression, whole};
+use crate::MOST;
 
 impl Reader<'_> {
     /// The values of an attribute. The list is empty if the attribute is missing, or has more or fewer values than
@@ -15,13 +16,12 @@ impl Reader<'_> {
         let Some(at) = whole(accessor) else {
             return Ok(Vec::new());
         };
-        let mut values = self.values(at)?;
-        if values.len() != count {
+        if whole(&self.item("accessors", at)?["count"]) != Some(count) {
             let note = "an attribute with another number of values than positions is left out";
             self.model.notes.add(note);
-            values.clear();
+            return Ok(Vec::new());
         }
-        Ok(values)
+        self.values(at)
     }
 
     /// Whether some value of an attribute of colors is not opaque.
@@ -91,6 +91,7 @@ impl Reader<'_> {
         let offset = |object: &Value| whole(&object["byteOffset"]).unwrap_or(0);
         let whole_size = components * size;
         let sparse = &accessor["sparse"];
+        let changes = whole(&sparse["count"]);
         let mut values = match whole(&accessor["bufferView"]) {
             Some(view) => {
                 let (bytes, stride) = self.view(view)?;
@@ -106,7 +107,7 @@ impl Reader<'_> {
                 ));
             }
         };
-        if let Some(count) = whole(&sparse["count"]) {
+        if let Some(count) = changes {
             let (places, changed) = (&sparse["indices"], &sparse["values"]);
             let place_kind = whole(&places["componentType"]).unwrap_or(0);
             let place_size = component_size(place_kind).ok_or_else(leaves)?;
@@ -130,9 +131,7 @@ impl Reader<'_> {
                 *values.get_mut(index).ok_or_else(leaves)? = value(bytes);
             }
         }
-        self.read += count * whole_size;
-        let (all, files) = (self.folder.all, self.folder.files);
-        files.progress(self.read.min(all), all);
+        self.spend(STEP + (count + changes.unwrap_or(0)) * whole_size)?;
         Ok(values)
     }
 }
