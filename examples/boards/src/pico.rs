@@ -12,13 +12,15 @@
 
 use cortex_m::singleton;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::MODE_0;
+use embedded_hal::spi::MODE_3;
 use hal::clocks::{Clock, init_clocks_and_plls};
 use hal::dma::single_buffer::{Config, Transfer};
 use hal::dma::{CH0, Channel, DMAExt, SingleChannel};
 use hal::fugit::HertzU32;
 use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
-use hal::gpio::{self, FunctionSioOutput, FunctionSpi, Pin, PullDown};
+use hal::gpio::{
+    self, DynBankId, DynPinId, FunctionSioOutput, FunctionSpi, Pin, PullDown, new_pin,
+};
 use hal::pac;
 use hal::{Sio, Spi, Watchdog, sio, spi};
 use heapless::Vec;
@@ -28,6 +30,7 @@ pub use rp235x_hal as hal;
 pub use rp2040_hal as hal;
 
 use crate::panel::{Controller, Panel, Pins};
+use crate::slow_bus::SlowBus;
 
 /// The second-stage boot loader, which an RP2040 runs first to set up its flash.
 #[cfg(feature = "pico")]
@@ -206,25 +209,37 @@ pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32
         dc: gpio.gpio16.into_push_pull_output(),
         reset: gpio.gpio20.into_push_pull_output(),
     };
-    // The driver sends bytes; after that, words of 16 bits, between which there are half as many gaps.
-    let mut bytes = Spi::<_, _, _, 8>::new(pac.SPI0, (data, clock)).init(
+    // A module without CS counts each edge of the clock once its reset ends, and works in mode 3 only. So from here on,
+    // the bus keeps its mode and its words of 16 bits, between which there are half as many gaps as between bytes.
+    let mut bus = Spi::<_, _, _, 16>::new(pac.SPI0, (data, clock)).init(
         &mut pac.RESETS,
         frequency,
         fastest(controller),
-        MODE_0,
+        MODE_3,
     );
+    // The driver sends bytes. Until it is done, the pins of the bus belong to a bus of bytes.
+    // SAFETY: nothing else uses these pins until then.
+    #[allow(unsafe_code)]
+    let [clock, data] = [18, 19].map(|num| unsafe {
+        new_pin(DynPinId {
+            bank: DynBankId::Bank0,
+            num,
+        })
+    });
+    let mut bytes = SlowBus {
+        clock: clock.try_into_function().ok()?,
+        data: data.try_into_function().ok()?,
+        rests_high: true,
+    };
+    bytes.rest();
     let mut panel = match controller {
         Controller::St7789 => Panel::st7789((width, HEIGHT), &mut bytes, pins, &mut timer),
         Controller::Ili9341 => Panel::ili9341(&mut bytes, pins, &mut timer),
     }
     .ok()?;
-    let (device, data) = bytes.disable().free();
-    let mut bus = Spi::<_, _, _, 16>::new(device, data).init(
-        &mut pac.RESETS,
-        frequency,
-        fastest(controller),
-        MODE_0,
-    );
+    // Both buses rest at the same level, so there is no edge.
+    bytes.clock.try_into_function::<FunctionSpi>().ok()?;
+    bytes.data.try_into_function::<FunctionSpi>().ok()?;
 
     let bands = singleton!(: [[u16; PIXELS]; BANDS] = [[0; PIXELS]; BANDS])?;
     let bands = bands

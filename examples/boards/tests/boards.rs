@@ -8,12 +8,15 @@ mod wires;
 #[path = "../../cookbook/src/bus/mipi.rs"]
 mod display;
 
+use std::cell::RefCell;
 use std::convert::Infallible;
 
 use boards::panel::{Panel, Pins, Word};
+use boards::slow_bus::SlowBus;
 use boards::{ball, floor};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, ToBytes};
+use embedded_hal::digital::{OutputPin, PinState};
 use embedded_hal::spi::SpiBus;
 use fixel::canvas::Words;
 use fixel::prelude::*;
@@ -250,6 +253,68 @@ fn an_ili9341_receives_these_bytes() {
         "2c",
     ];
     assert_eq!(bus.log(), lines.join("\n"));
+}
+
+/// The levels of a clock and of a data line, and the bits at each rising edge of the clock.
+#[derive(Default)]
+struct Lines {
+    clock: bool,
+    data: bool,
+    bits: Vec<bool>,
+}
+
+struct Line<'a>(&'a RefCell<Lines>, bool);
+
+impl embedded_hal::digital::ErrorType for Line<'_> {
+    type Error = Infallible;
+}
+
+impl OutputPin for Line<'_> {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        self.set_state(PinState::Low)
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        self.set_state(PinState::High)
+    }
+
+    fn set_state(&mut self, state: PinState) -> Result<(), Infallible> {
+        let lines = &mut *self.0.borrow_mut();
+        let is_high = state == PinState::High;
+        if !self.1 {
+            lines.data = is_high;
+        } else if lines.clock != is_high {
+            lines.clock = is_high;
+            if is_high {
+                lines.bits.push(lines.data);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// In both modes, each bit comes with one rising edge, and the clock rests at the mode's level.
+#[test]
+fn a_slow_bus_sends_each_bit_once() {
+    for rests_high in [false, true] {
+        let lines = RefCell::default();
+        let mut bus = SlowBus {
+            clock: Line(&lines, true),
+            data: Line(&lines, false),
+            rests_high,
+        };
+        bus.rest();
+        lines.borrow_mut().bits.clear();
+        for bytes in [&[0x2c, 0xff][..], &[0x00], &[0xa5]] {
+            bus.write(bytes).unwrap();
+            let bits = bytes
+                .iter()
+                .flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
+            assert_eq!(lines.borrow().bits, bits.collect::<Vec<_>>());
+            assert_eq!(lines.borrow().clock, rests_high);
+            lines.borrow_mut().bits.clear();
+        }
+    }
 }
 
 /// The guide quotes lines of these programs: the programs must contain them.

@@ -19,6 +19,7 @@ use esp_hal::clock::CpuClock;
 use esp_hal::delay::Delay;
 use esp_hal::dma_tx_buffer;
 use esp_hal::gpio::{Level, Output, OutputConfig};
+use esp_hal::spi::Mode;
 use esp_hal::spi::master::{Config, Spi};
 use esp_hal::time::{Instant, Rate};
 use fixel::canvas::Canvas;
@@ -37,8 +38,10 @@ esp_bootloader_esp_idf::esp_app_desc!();
 fn main() -> ! {
     let chip = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max()));
 
-    // SPI mode 0 is the default.
-    let config = Config::default().with_frequency(Rate::from_mhz(40));
+    // Displays without CS need mode 3.
+    let config = Config::default()
+        .with_frequency(Rate::from_mhz(40))
+        .with_mode(Mode::_3);
     let mut spi = Spi::new(chip.SPI2, config)
         .unwrap()
         .with_sck(chip.GPIO6)

@@ -36,6 +36,9 @@ async fn main(_spawner: Spawner) {
     let chip = embassy_rp::init(Default::default()); // 125 MHz
     let mut config = spi::Config::default();
     config.frequency = 62_500_000;
+    // Mode 3, which displays without CS need.
+    config.polarity = spi::Polarity::IdleHigh;
+    config.phase = spi::Phase::CaptureOnSecondTransition;
     let (clock, data) = (chip.PIN_18, chip.PIN_19);
     let mut spi = Spi::new_txonly(chip.SPI0, clock, data, chip.DMA_CH0, Interrupts, config);
     let pins = Pins {
