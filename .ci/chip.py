@@ -23,7 +23,8 @@ CYCLES = 1.5  # for an instruction, as these cores need them with their programs
 class Module(NamedTuple):
     """How a module's glass differs from others: its columns and rows before a rotation, those of the controller's
     memory, the turns by 90 degrees that the program is to make, and whether the glass is mirrored, has blue for red,
-    and shows a negative unless the controller inverts. The limit of its bus is the usual one."""
+    and shows a negative unless the controller inverts. The limit of its bus is the usual one. The glass begins at an
+    offset in memory."""
     size: tuple
     memory: tuple
     rotation: int
@@ -31,6 +32,7 @@ class Module(NamedTuple):
     is_blue_first: bool
     is_inverted: bool
     limit_hz: float
+    offset: tuple = (0, 0)
 
 
 ST7789 = Module((240, 240), (240, 320), 0, False, False, True, 62.5e6)
@@ -85,7 +87,8 @@ class Display:
         width, height = self.module.size
         x, y = [(column, row), (width - 1 - row, column), (width - 1 - column, height - 1 - row),
                 (row, height - 1 - column)][self.module.rotation]
-        return width - 1 - x if self.module.is_mirrored else x, y
+        left, top = self.module.offset
+        return left + (width - 1 - x if self.module.is_mirrored else x), top + y
 
     def write(self, path):
         (left, right), (top, bottom) = self.window[0x2A], self.window[0x2B]

@@ -1,7 +1,8 @@
 // Runs a program on an emulated RP2040, from the second-stage boot loader on, with a model of the panel on its pins:
 // examples/boards/emulator/pico.js. .ci/install.py installs rp2040js there.
 //
-//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--no-cs] [--slow CORE] [--fault NAME] [--profile FILE]
+//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--no-cs] [--short] [--slow CORE] [--fault NAME]
+//         [--profile FILE]
 //
 // The program is an ELF file or a UF2.
 //
@@ -12,6 +13,7 @@
 // --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
 //            instant: the bus takes no time, so that only the processors' time remains
 // --no-cs    the panel's CS is tied low, and the program's pin is not wired
+// --short    measures only one frame
 // --slow     this core takes three times as long, so that the cores finish their bands in another order
 // --fault    makes a mistake that a program could make; the run must then fail, or show another picture (see `faults`)
 // --profile  writes the cycles of core 0 at each address, as JSON
@@ -27,12 +29,13 @@ const fail = message => { console.error(message); exit(1); };
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    bus: { type: 'string' }, 'no-cs': { type: 'boolean' }, slow: { type: 'string' }, fault: { type: 'string' },
-    profile: { type: 'string' },
+    bus: { type: 'string' }, 'no-cs': { type: 'boolean' }, short: { type: 'boolean' }, slow: { type: 'string' },
+    fault: { type: 'string' }, profile: { type: 'string' },
   },
 });
 // From frame FIRST on, PERIODS frames are measured. The picture is the last one.
-const FIRST = 2, PERIODS = options.fault || options['no-cs'] || options.slow ? 3 : 8;
+const FIRST = options.short ? 1 : 2;
+const PERIODS = options.short ? 1 : options.fault || options['no-cs'] || options.slow ? 3 : 8;
 const LAST = FIRST + PERIODS;
 if (positionals.length !== 2) fail('rp2040.mjs PROGRAM PICTURE.ppm [OPTION ...]');
 const [program, picture] = positionals;

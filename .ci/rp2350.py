@@ -10,7 +10,7 @@ program has the block that the boot ROM looks for. Only core 0 runs.
 import struct
 import sys
 
-from chip import ILI9341, Chip  # first, because it says what is missing
+from chip import Chip, Module  # first, because it says what is missing
 
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M33)
@@ -63,8 +63,11 @@ class Rp2350(Chip):
             self.registers[PADS + 4 * pin] = 0x116  # isolated
         self.locks, self.queue, self.received, self.asked = set(), b"", 0, []
         self.bits, self.clock_is_high, self.data_is_high = "", False, False
-        if self.word(MODEL) == MAGIC and self.word(MODEL + 16) == 1:
-            self.display.module = ILI9341
+        if self.word(MODEL) == MAGIC:
+            # Word by word as the package flash-model states.
+            words = struct.unpack("<24I", core.mem_read(MODEL, 96))
+            flags = map(bool, words[12:15])
+            self.display.module = Module(words[5:7], words[7:9], words[11], *flags, 62.5e6, words[9:11])
         self.event = self.asleep = self.is_lit = self.was_high_half = False
         self.check_block()
         self.stack = self.word(FLASH)

@@ -6,8 +6,8 @@
 import { RP2040 } from "rp2040js";
 
 const FLASH = 0x10000000, ROM_END = 0x1000;
-/** Where a model begins in flash, and its first word. */
-const MODEL = 0x40000, MAGIC = 0x6d786966;
+/** Where a model begins in flash, its first word, and the version of its format. */
+const MODEL = 0x40000, MAGIC = 0x6d786966, VERSION = 4;
 const SPI_FUNCTION = 1, SIO_FUNCTION = 5;
 const NOP = 0x00, SLPOUT = 0x11, INVOFF = 0x20, INVON = 0x21, DISPON = 0x29;
 const CASET = 0x2a, RASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, COLMOD = 0x3a;
@@ -37,14 +37,26 @@ export const ST7789 = {
   isBlueFirst: false,
   /** The glass shows a negative unless the controller inverts. */
   isInverted: true,
+  /** The backlight is on while its pin is low. */
+  isLightLow: false,
   /** Where nothing is wired, a pin is undefined. A module without CS has it tied low. */
   pins: { clock: 18, data: 19, cs: 17, dc: 16, reset: 20, light: 21 },
 };
 
-/** An ILI9341, as most modules have it. Its data sheet allows only 10 MHz. */
-export const ILI9341 = {
-  ...ST7789, limitHz: 42e6, size: [240, 320], rotation: 1, isMirrored: true, isBlueFirst: true, isInverted: false,
-};
+/** The highest usual frequencies of the controllers' buses, by the numbers that the model's header has for them. */
+const LIMITS = [62.5e6, 40e6, 62.5e6, 15.2e6, 27e6];
+
+/** The module of a model's header: word by word as the package flash-model states. */
+function recorded(word) {
+  const pair = (at) => [word(at), word(at + 1)];
+  const pin = (at) => (word(at) === 0xffffffff ? undefined : word(at));
+  const [clock, data, dc, cs, reset, light] = [17, 18, 19, 20, 21, 22].map(pin);
+  return {
+    limitHz: LIMITS[word(4)], size: pair(5), memory: pair(7), offset: pair(9), rotation: word(11),
+    isMirrored: word(12) === 1, isBlueFirst: word(13) === 1, isInverted: word(14) === 1,
+    pins: { clock, data, dc, cs, reset, light }, isLightLow: word(23) === 1,
+  };
+}
 
 /**
  * The panel follows its data sheet, bit by bit: at a rising edge of the clock, a bit arrives if CS is low; with the
@@ -95,13 +107,15 @@ class Panel {
     };
     const listen = (pin, listener) => pin !== undefined && gpio[pin].addListener(listener);
     this.isSelected = pins.cs === undefined;
+    // Modules without a pin for the backlight are always lit.
+    this.isLit = pins.light === undefined;
     listen(pins.cs, changes("CS", (isHigh) => {
       this.isSelected = !isHigh;
       this.#bits = [0, 0];
     }));
     listen(pins.dc, changes("DC", (isHigh) => { this.#isData = isHigh; }));
     listen(pins.reset, (level) => this.#reset(level === 1));
-    listen(pins.light, (level) => this.#light(level === 1));
+    listen(pins.light, (level) => this.#light(level === (module.isLightLow ? 0 : 1)));
     // The clock's level changes with its pin, and as the bus is reset and set up.
     listen(pins.clock, () => this.#clock());
     const [writeBus, writeResets] = [this.bus.writeUint32.bind(this.bus), resets.writeUint32.bind(resets)];
@@ -169,10 +183,10 @@ class Panel {
     [this.#bits, this.#command, this.#data] = [[0, 0], NOP, []];
   }
 
-  #light(isHigh) {
+  #light(isLit) {
     this.#execute();
-    if (isHigh && !this.complete) this.errors.push("the backlight is on before the panel is cleared");
-    this.isLit = isHigh;
+    if (isLit && this.memory.includes(-1)) this.errors.push("the backlight is on before the panel is cleared");
+    this.isLit = isLit;
   }
 
   #receive(byte) {
@@ -221,7 +235,8 @@ class Panel {
       for (let column = left; column <= right; column++, at += step) {
         const cell = this.#cell(column, row);
         if (cell === undefined) { this.errors.push("the window is larger than the memory"); return; }
-        this.memory[cell] = step === 2 ? data[at] << 8 | data[at + 1] : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
+        const upper = data[at] << 8 | data[at + 1];
+        this.memory[cell] = step === 2 ? upper : upper << 8 | data[at + 2];
       }
     }
     if (!this.isAwake || !this.isOn) this.errors.push("a frame was sent to a panel that sleeps or is off");
@@ -259,7 +274,7 @@ class Panel {
   #color(pixel) {
     const levels = this.#bytesOfPixel === 2
       ? [of(pixel >> 11, 31), of(pixel >> 5 & 63, 63), of(pixel & 31, 31)]
-      : [pixel >> 18 & 63, pixel >> 10 & 63, pixel >> 2 & 63].map((level) => of(level, 63));
+      : [five(pixel >> 18 & 63), of(pixel >> 10 & 63, 63), five(pixel >> 2 & 63)];
     const isExchanged = Boolean(this.#mode & 8) !== this.module.isBlueFirst;
     const seen = isExchanged ? levels.reverse() : levels;
     return this.#isInverted === this.module.isInverted ? seen : seen.map((level) => 255 - level);
@@ -271,6 +286,9 @@ class Panel {
     throw new Error(`${this.errors.length} errors on the bus: ${[...new Set(this.errors)].slice(0, 5).join("; ")}`);
   }
 }
+
+/** A level of six bits that was made of five, as one of 255; another one is wrong. */
+const five = (level) => (level & 1) === level >> 5 ? of(level >> 1, 31) : 0;
 
 /** A level of `most` as one of 255. */
 function of(level, most) {
@@ -476,7 +494,7 @@ export class Pico {
   #wanted() {
     const { flash } = this.chip;
     const word = (at) => new DataView(flash.buffer, flash.byteOffset).getUint32(MODEL + 4 * at, true);
-    return word(0) === MAGIC && word(4) === 1 ? ILI9341 : ST7789;
+    return word(0) === MAGIC && word(1) === VERSION ? recorded(word) : ST7789;
   }
 
   /**

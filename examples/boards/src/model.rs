@@ -6,10 +6,11 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X13};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::Text;
+use fixel::Window;
 use fixel::canvas::Storage;
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use flash_model::{Model, Panel, Problem};
+use flash_model::{Model, Module, Problem};
 use heapless::String;
 
 const SKY: Rgb565 = Rgb565::new(3, 8, 8);
@@ -23,15 +24,26 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The scene of the model in these words, for the panel that they name.
+    /// The scene of the model in these words, for the module that they name.
     ///
     /// # Errors
     ///
     /// None.
     pub fn new(words: &'a [u32]) -> Result<Self, Error> {
-        let size = Panel::wanted(words).size();
-        // The model lies in the ball of radius 1, which touches the borders of a square picture: 2.924 sin 20° = 1.
-        let projection = Projection::perspective(deg!(40), size, fx!(1.9), fx!(3.95))?;
+        let size = Module::wanted(words).size();
+        // The model lies in the ball of radius 1, which touches the nearer borders of the picture: 2.924 sin 20° = 1.
+        let (near, far) = (fx!(1.9), fx!(3.95));
+        let projection = if size.0 < size.1 {
+            let width = fx!(1.38309); // 2 · 1.9 tan 20°
+            let height = width.to_bits() * size.1 as i32 / size.0 as i32;
+            Projection::frustum(
+                Window::centered(width, Scalar::from_bits(height)),
+                near,
+                far,
+            )?
+        } else {
+            Projection::perspective(deg!(40), size, near, far)?
+        };
         let camera = Camera::look_at(vec3!(0, 1, 2.748), Vec3::ZERO, Vec3::Y)?;
         Ok(Self {
             size,
@@ -41,7 +53,7 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// Columns and rows of the panel.
+    /// Columns and rows of the picture.
     #[must_use]
     pub const fn size(&self) -> (u32, u32) {
         self.size

@@ -20,6 +20,7 @@ use embedded_hal::digital::{OutputPin, PinState};
 use embedded_hal::spi::SpiBus;
 use fixel::canvas::Words;
 use fixel::prelude::*;
+use flash_model::Module;
 
 use wires::{Pin, Wires};
 
@@ -28,34 +29,36 @@ struct Board {
     size: (u32, u32),
     rows: u32,
     crc: u32,
-    /// The display's glass has blue where its controller has red.
-    is_blue_first: bool,
+    module: Module,
 }
 
 const PICO: Board = Board {
     size: (240, 240),
     rows: 40,
     crc: 0x219f_59d9,
-    is_blue_first: false,
+    module: Module::ST7789,
 };
 const STM32F4: Board = Board {
     size: (320, 240),
     rows: 40,
     crc: 0x31c2_e00e,
-    is_blue_first: true,
+    module: Module::ILI9341,
 };
 const ESP32C3: Board = Board {
     size: (240, 240),
     rows: 60,
     crc: PICO.crc,
-    is_blue_first: false,
+    module: Module::ST7789,
 };
 /// The ball on a Pico.
 const BALL: Board = Board {
     size: (320, 240),
     rows: 30,
     crc: 0xdf84_69b2,
-    is_blue_first: false,
+    module: Module {
+        rotation: 1,
+        ..Module::ST7789_TALL
+    },
 };
 
 /// The bytes of a frame, drawn in bands of `$rows` rows.
@@ -124,9 +127,9 @@ fn the_ball_fits_into_its_memory() {
 
 fn pins(wires: &Wires) -> Pins<Pin, Pin, Pin> {
     Pins {
-        cs: wires.select(),
+        cs: Some(wires.select()),
         dc: wires.data(),
-        reset: wires.reset(),
+        reset: Some(wires.reset()),
     }
 }
 
@@ -146,8 +149,9 @@ fn show<W: Word>(
 ) where
     Wires: SpiBus<W, Error = Infallible>,
 {
-    let mut display = display::Panel::new(240, 320);
-    if board.is_blue_first {
+    let (columns, rows) = (board.module.memory[0] as u16, board.module.memory[1] as u16);
+    let mut display = display::Panel::new(columns, rows);
+    if board.module.blue_first == 1 {
         display = display.with_blue_first();
     }
     panel.clear(&mut bus, &words(&[0; 1000])).unwrap();
@@ -156,10 +160,19 @@ fn show<W: Word>(
         bus.write(&words(&frame(board.size, now_ms))).unwrap();
     }
     display.read(&bus.commands());
-    let shown: Vec<u8> = display
-        .picture(board.size)
-        .iter()
-        .flat_map(|&pixel| (pixel as u16).to_be_bytes())
+    // All of the memory was cleared.
+    let stride = board.module.memory_size().0;
+    let (left, top) = board.module.origin();
+    let pixels = (0..).zip(display.pixels());
+    let shown: Vec<u8> = pixels
+        .map(|(at, pixel)| (at % stride, at / stride, pixel.expect("never written")))
+        .filter(|(x, y, pixel)| {
+            let (x, y) = (x.wrapping_sub(left), y.wrapping_sub(top));
+            let is_seen = x < board.size.0 && y < board.size.1;
+            assert!(is_seen || *pixel == 0, "not black beside the picture");
+            is_seen
+        })
+        .flat_map(|(.., pixel)| (pixel as u16).to_be_bytes())
         .collect();
     assert!(
         shown == frame(board.size, 1000),
@@ -171,7 +184,7 @@ fn show<W: Word>(
 fn an_st7789_shows_the_bands() {
     let panel = |board: &Board, wires: &Wires| {
         let mut bus = wires.clone();
-        Panel::st7789(board.size, &mut bus, pins(wires), &mut wires.clone()).unwrap()
+        Panel::new(&board.module, &mut bus, pins(wires), &mut wires.clone()).unwrap()
     };
     let wires = Wires::default();
     show(
@@ -190,7 +203,7 @@ fn an_st7789_shows_the_bands() {
 fn an_ili9341_shows_the_bands() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let panel = Panel::new(&Module::ILI9341, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     show(&STM32F4, bus, panel, pairs);
 }
 
@@ -199,7 +212,8 @@ fn an_ili9341_shows_the_bands() {
 fn an_st7789_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let mut panel = Panel::st7789(PICO.size, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let mut panel =
+        Panel::new(&Module::ST7789, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     panel.start_frame::<u8>(&mut bus).unwrap();
     SpiBus::<u8>::write(&mut bus, &[0x12, 0x34, 0x56, 0x78]).unwrap();
     panel.start_frame::<u16>(&mut bus).unwrap();
@@ -232,7 +246,8 @@ fn an_st7789_receives_these_bytes() {
 fn an_ili9341_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let mut panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let mut panel =
+        Panel::new(&Module::ILI9341, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     panel.start_frame::<u8>(&mut bus).unwrap();
     let lines = [
         "reset low",
@@ -365,9 +380,12 @@ mod model {
 
     /// The cabin for a panel of 320x240 pixels.
     fn cabin() -> Vec<u32> {
+        cabin_for(Module::ILI9341)
+    }
+
+    fn cabin_for(module: Module) -> Vec<u32> {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/cabin.obj");
-        let panel = flash_model::Panel::Ili9341;
-        write(path, &Disk, None, Board::Pico, panel, &mut Vec::new()).unwrap()
+        write(path, &Disk, None, Board::Pico, module, &mut Vec::new()).unwrap()
     }
 
     /// The frame at a time, in bands.
@@ -401,19 +419,38 @@ mod model {
 
     #[test]
     fn a_model_is_in_the_middle_of_its_panel_at_all_times() {
-        let words = cabin();
-        for now_ms in (0..10_000).step_by(500) {
-            let frame = bands(&words, 240, now_ms);
-            let sky = frame[0];
-            let is_drawn = |x: usize, y: usize| frame[320 * y + x] != sky;
-            assert!(is_drawn(160, 120), "at {now_ms}");
-            // It keeps within the ball, which is seen as a disk in the middle square.
-            for (x, y) in (0..240).flat_map(|y| (0..320).map(move |x| (x, y))) {
-                let from_middle = (2 * x as i32 - 319).pow(2) + (2 * y as i32 - 239).pow(2);
-                // A pixel's middle lies within half a pixel.
-                let is_outside = from_middle > 241 * 241;
-                assert!(!(is_outside && is_drawn(x, y)), "({x}, {y}) at {now_ms}");
+        let narrow = Module::parse("st7789-135x240").unwrap();
+        for module in [Module::ILI9341, narrow] {
+            let (words, (width, height)) = (cabin_for(module), module.size());
+            for now_ms in (0..10_000).step_by(500) {
+                let frame = bands(&words, height, now_ms);
+                let sky = frame[0];
+                let is_drawn = |x: u32, y: u32| frame[(width * y + x) as usize] != sky;
+                assert!(is_drawn(width / 2, height / 2), "at {now_ms}");
+                // It keeps within the ball, which is seen as a disk in the middle square.
+                for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+                    let from_middle = |at: u32, size: u32| (2 * at + 1).abs_diff(size).pow(2);
+                    let distance = from_middle(x, width) + from_middle(y, height);
+                    // A pixel's middle lies within half a pixel.
+                    let is_outside = distance > (width.min(height) + 1).pow(2);
+                    assert!(!(is_outside && is_drawn(x, y)), "({x}, {y}) at {now_ms}");
+                }
             }
+        }
+    }
+
+    /// A pixel of 16 bits becomes three bytes, in which each level of five bits is repeated.
+    #[test]
+    fn pixels_become_wide() {
+        let mut words = [0xf800, 0x07e0, 0x001f, 0x8410, 0x1234, 0xffff, 0, 0, 0];
+        let before = words;
+        boards::panel::widen(&mut words);
+        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_be_bytes()).collect();
+        for (pixel, bytes) in before.iter().zip(bytes.as_chunks::<3>().0) {
+            let [red, green, blue] = bytes.map(|byte| u16::from(byte >> 2));
+            assert_eq!((red >> 1) << 11 | green << 5 | blue >> 1, *pixel);
+            assert!([red, blue].iter().all(|level| level & 1 == level >> 5));
+            assert!(bytes.iter().all(|byte| byte & 3 == 0));
         }
     }
 

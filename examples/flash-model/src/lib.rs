@@ -1,4 +1,4 @@
-//! A model in flash: a mesh, its parts with their colors and textures, and the panel that shows it.
+//! A model in flash: a mesh, its parts with their colors and textures, and the module that shows it.
 //!
 //! The firmware `pico_model` of examples/boards borrows the whole model from flash. The playground and the tests write
 //! models.
@@ -22,6 +22,7 @@
 
 mod colors;
 mod header;
+mod module;
 mod problem;
 mod skin;
 #[cfg(feature = "write")]
@@ -36,20 +37,21 @@ use fixel::mesh::flash::{Small, UvGrid};
 use fixel::{Mesh, Vec2, Vec3};
 
 pub use colors::Colors;
-pub use header::{ADDRESS, Board, Header, Panel, PartRecord, TextureRecord};
+pub use header::{ADDRESS, Board, Header, PartRecord, TextureRecord};
+pub use module::{Controller, Module, ModuleProblem, NO_PIN, Wires};
 pub use problem::Problem;
 pub use skin::Skin;
 #[cfg(feature = "write")]
 pub use uf2::{board, region, uf2};
 #[cfg(feature = "write")]
-pub use write::write;
+pub use write::{with_module, write};
 
 use header::Lists;
 
 /// A model that borrows its lists from flash.
 #[derive(Clone, Copy, Debug)]
 pub struct Model<'a> {
-    panel: Panel,
+    module: Module,
     mesh: Mesh<'a>,
     normals: Small<'a, Vec3>,
     normal_faces: &'a [[u16; 3]],
@@ -97,6 +99,7 @@ impl<'a> Model<'a> {
         let texels = lists.arrays::<u16, 1>(header.texels)?;
         lists.end()?;
 
+        header.module.check().map_err(Problem::Module)?;
         let mesh =
             Mesh::quantized(positions, header.fraction, faces).map_err(|_| Problem::Lists)?;
         let counts = (positions.len(), faces.len());
@@ -105,7 +108,7 @@ impl<'a> Model<'a> {
         check(counts, colors.values.len(), colors.faces)?;
         let corners = header.uv_corners.map(|[u, v]| Vec2::from_bits([u, v]));
         let model = Self {
-            panel: Panel::of(header.panel).ok_or(Problem::Lists)?,
+            module: header.module,
             mesh,
             normals: Small::normals(normals),
             normal_faces,
@@ -122,10 +125,10 @@ impl<'a> Model<'a> {
         Ok(model)
     }
 
-    /// The panel that shows the model.
+    /// The module that shows the model.
     #[must_use]
-    pub const fn panel(&self) -> Panel {
-        self.panel
+    pub const fn module(&self) -> Module {
+        self.module
     }
 
     /// The mesh of the whole model.

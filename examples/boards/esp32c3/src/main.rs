@@ -12,7 +12,7 @@
 #![no_std]
 #![no_main]
 
-use boards::panel::{Panel, Pins};
+use boards::panel::{Module, Panel, Pins};
 use boards::scene::{Memory, Scene};
 use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};
 use esp_hal::clock::CpuClock;
@@ -47,12 +47,12 @@ fn main() -> ! {
         .with_sck(chip.GPIO6)
         .with_mosi(chip.GPIO7)
         .with_dma(chip.DMA_CH0);
-    let pins = Pins {
-        cs: Output::new(chip.GPIO10, Level::High, OutputConfig::default()),
-        dc: Output::new(chip.GPIO4, Level::High, OutputConfig::default()),
-        reset: Output::new(chip.GPIO5, Level::High, OutputConfig::default()),
-    };
-    let mut panel = Panel::st7789((WIDTH, HEIGHT), &mut spi, pins, &mut Delay::new()).unwrap();
+    let pins = Pins::new(
+        Output::new(chip.GPIO10, Level::High, OutputConfig::default()),
+        Output::new(chip.GPIO4, Level::High, OutputConfig::default()),
+        Output::new(chip.GPIO5, Level::High, OutputConfig::default()),
+    );
+    let mut panel = Panel::new(&Module::ST7789, &mut spi, pins, &mut Delay::new()).unwrap();
 
     // Two bands of 28 KiB in memory that DMA can read.
     let mut colors = dma_tx_buffer!(2 * BAND).unwrap();
