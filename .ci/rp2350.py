@@ -247,6 +247,8 @@ class Rp2350(Chip):
                 self.display.receive(bytes([int(self.bits, 2)]))
                 self.bits = ""
         cs, dc = value >> CS & 1, value >> DC & 1
+        if cs and high:  # the display forgets the bits of an incomplete byte
+            self.bits = ""
         if (cs or dc) and self.queue:
             sys.exit(f"a pin changed before the last {len(self.queue)} bytes were on the bus")
         self.display.pins(cs, dc, high)
