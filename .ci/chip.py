@@ -3,11 +3,12 @@
 A chip's program is run until its display has shown some frames. The model of DMA sends a band at the last moment, when
 the program waits for it. So a program that draws into a band that is being sent shows a wrong picture. The display
 follows the data sheets: CS selects it, and DC tells commands from data; CASET and RASET set a window, and RAMWR writes
-to it.
+to it. MADCTL and the inversion say what becomes of the pixels on the glass of the chip's module.
 """
 import collections
 import struct
 import sys
+from typing import NamedTuple
 
 try:
     from elftools.elf.elffile import ELFFile
@@ -19,9 +20,29 @@ FRAMES = 10  # one clears the display, one begins with a black band; the last bu
 CYCLES = 1.5  # for an instruction, as these cores need them with their programs in flash
 
 
+class Module(NamedTuple):
+    """How a module's glass differs from others: its columns and rows before a rotation, those of the controller's
+    memory, the turns by 90 degrees that the program is to make, and whether the glass is mirrored, has blue for red,
+    and shows a negative unless the controller inverts. The limit of its bus is the usual one. The glass begins at an
+    offset in memory."""
+    size: tuple
+    memory: tuple
+    rotation: int
+    is_mirrored: bool
+    is_blue_first: bool
+    is_inverted: bool
+    limit_hz: float
+    offset: tuple = (0, 0)
+
+
+ST7789 = Module((240, 240), (240, 320), 0, False, False, True, 62.5e6)
+ILI9341 = Module((240, 320), (240, 320), 1, True, True, False, 42e6)
+
+
 class Display:
     def __init__(self, chip):
         self.chip, self.cs, self.dc = chip, True, True
+        self.module, self.mode, self.is_inverted = ST7789, 0, False
         self.command, self.data = None, bytearray()
         self.window, self.pixels, self.frames = {}, [], []
 
@@ -47,21 +68,53 @@ class Display:
         """Executes the last command, which now has all of its data."""
         if self.command in (0x2A, 0x2B):
             self.window[self.command] = struct.unpack(">HH", self.data)
+        elif self.command == 0x36:
+            self.mode = self.data[0]
+        elif self.command in (0x20, 0x21):
+            self.is_inverted = self.command == 0x21
         elif self.command == 0x2C:
             self.pixels = struct.unpack(f">{len(self.data) // 2}H", self.data)
         self.data.clear()
+
+    def cell(self, column, row):
+        """The place in the controller's memory of the program's column and row."""
+        (width, height), mode = self.module.memory, self.mode
+        x, y = (row, column) if mode & 0x20 else (column, row)
+        return width - 1 - x if mode & 0x40 else x, height - 1 - y if mode & 0x80 else y
+
+    def seen(self, column, row):
+        """The place in memory of what somebody sees who has turned the module so that the picture is upright."""
+        width, height = self.module.size
+        x, y = [(column, row), (width - 1 - row, column), (width - 1 - column, height - 1 - row),
+                (row, height - 1 - column)][self.module.rotation]
+        left, top = self.module.offset
+        return left + (width - 1 - x if self.module.is_mirrored else x), top + y
 
     def write(self, path):
         (left, right), (top, bottom) = self.window[0x2A], self.window[0x2B]
         width, height = right - left + 1, bottom - top + 1
         if len(self.pixels) != width * height:
             sys.exit(f"{len(self.pixels)} pixels in a window of {width}x{height}")
+        if self.chip.BUS_HZ > self.module.limit_hz:
+            sys.exit(f"the bus has {self.chip.BUS_HZ} Hz, but the controller only {self.module.limit_hz}")
+        memory = {}
+        for at, pixel in enumerate(self.pixels):
+            memory[self.cell(left + at % width, top + at // width)] = pixel
+        columns, rows = self.module.size[:: -1 if self.module.rotation & 1 else 1]
         with open(path, "wb") as file:
-            file.write(f"P6 {width} {height} 255\n".encode())
-            for pixel in self.pixels:
-                channels = (pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)
-                file.write(bytes((level * 255 + most // 2) // most for level, most in channels))
+            file.write(f"P6 {columns} {rows} 255\n".encode())
+            for row in range(rows):
+                file.write(bytes(level for column in range(columns)
+                                 for level in self.color(memory.get(self.seen(column, row), 0))))
         return self.frames[-2]
+
+    def color(self, pixel):
+        """Red, green and blue of a pixel."""
+        channels = [(pixel >> 11, 31), (pixel >> 5 & 63, 63), (pixel & 31, 31)]
+        levels = [(level * 255 + most // 2) // most for level, most in channels]
+        if bool(self.mode & 8) != self.module.is_blue_first:
+            levels.reverse()
+        return levels if self.is_inverted == self.module.is_inverted else [255 - level for level in levels]
 
 
 class Chip:
@@ -70,6 +123,8 @@ class Chip:
     A subclass has the core's registers STACK and PC, the clocks CLOCK_HZ and BUS_HZ, `length` of an instruction, and
     `resume`.
     """
+
+    BUS_GAPS = 1  # a band's time on the bus is longer by this factor
 
     def __init__(self, program, core, memory, registers):
         self.core = core
@@ -117,7 +172,7 @@ class Chip:
         black, while the first one of a frame is drawn."""
         work = [after[0] - before[0] for before, after in zip(self.starts, self.starts[1:])]
         frames = len(work) // bands
-        seconds = [max(CYCLES * count / self.CLOCK_HZ, 8 * size / self.BUS_HZ)
+        seconds = [max(CYCLES * count / self.CLOCK_HZ, 8 * size / self.BUS_HZ * self.BUS_GAPS)
                    for count, (_, size) in zip(work, self.starts)]
         return sum(work[: frames * bands]) / frames, sum(seconds[: frames * bands]) / frames
 
@@ -170,4 +225,4 @@ class Chip:
         """Writes the picture and prints the results."""
         now_ms = self.display.write(picture)
         count, seconds = self.frames(bands=2 * len(self.display.pixels) // self.starts[0][1])
-        print(now_ms, round(count), round(seconds * 1e6), self.stack - self.lowest)
+        print(now_ms, round(count), round(self.BUS_HZ / 1000), round(seconds * 1e6), self.stack - self.lowest)

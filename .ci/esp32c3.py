@@ -23,7 +23,7 @@ ROM_IGNORED = ["rtc_get_reset_reason", "ets_delay_us", "ets_update_cpu_frequency
 GPIO_SET, GPIO_CLEAR = 0x60004008, 0x6000400C
 DC, CS = 1 << 4, 1 << 10
 SPI = 0x60024000  # SPI 2
-SPI_BITS, SPI_DMA, SPI_DONE, SPI_CLEAR, SPI_DATA = SPI + 0x1C, SPI + 0x30, SPI + 0x3C, SPI + 0x38, SPI + 0x98
+SPI_CLOCK, SPI_BITS, SPI_DMA, SPI_CLEAR, SPI_DONE, SPI_DATA = (SPI + at for at in (12, 0x1C, 0x30, 0x38, 0x3C, 0x98))
 DMA_LINK = 0x6003F0E0  # of channel 0
 TIMER, TIMER_HIGH, TIMER_LOW = 0x60023004, 0x60023040, 0x60023044  # the first unit of the system's timer, of 16 MHz
 CALIBRATION, CALIBRATED = 0x6001F068, 0x6001F06C
@@ -33,7 +33,12 @@ class Esp32c3(Chip):
     """An ESP32-C3. The program polls, and a transfer ends when the program looks."""
 
     STACK, PC = UC_RISCV_REG_SP, UC_RISCV_REG_PC
-    CLOCK_HZ, BUS_HZ = 160e6, 40e6
+    CLOCK_HZ = 160e6
+
+    @property
+    def BUS_HZ(self):
+        clock = self.registers[SPI_CLOCK]
+        return 80e6 if clock >> 31 else 80e6 / ((clock >> 18 & 15) + 1) / ((clock >> 12 & 63) + 1)
 
     def __init__(self, program):
         core = Uc(UC_ARCH_RISCV, UC_MODE_RISCV32)

@@ -1,38 +1,50 @@
 // Runs a program on an emulated RP2040, from the second-stage boot loader on, with a model of the panel on its pins:
 // examples/boards/emulator/pico.js. .ci/install.py installs rp2040js there.
 //
-//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--fault NAME] [--profile FILE]
+//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--no-cs] [--short] [--slow CORE] [--fault NAME]
+//         [--profile FILE]
 //
 // The program is an ELF file or a UF2.
 //
 // Writes what the panel shows after some frames, and prints the time in ms at which the program drew the last of them,
-// the mean of the cycles from one frame to the next, and the bytes of stack that each core used.
+// the mean of the cycles from one frame to the next, the bus's frequency in kHz, and the bytes of stack that each core
+// used.
 //
 // --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
 //            instant: the bus takes no time, so that only the processors' time remains
+// --no-cs    the panel's CS is tied low, and the program's pin is not wired
+// --short    measures only one frame
+// --slow     this core takes three times as long, so that the cores finish their bands in another order
 // --fault    makes a mistake that a program could make; the run must then fail, or show another picture (see `faults`)
 // --profile  writes the cycles of core 0 at each address, as JSON
 import { readFileSync, writeFileSync } from 'node:fs';
 import { exit } from 'node:process';
 import { parseArgs } from 'node:util';
-import { Pico, rgb } from '../examples/boards/emulator/pico.js';
+import { Pico, ST7789 } from '../examples/boards/emulator/pico.js';
 
 const RAM = 0x20000000, RAM_END = 0x20042000;
-const FIRST = 2, PERIODS = 8; // from frame FIRST on, PERIODS frames are measured; the picture is the last one
-const LAST = FIRST + PERIODS;
 const LIMIT = 2e9; // ns
 
 const fail = message => { console.error(message); exit(1); };
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
-  options: { bus: { type: 'string' }, fault: { type: 'string' }, profile: { type: 'string' } },
+  options: {
+    bus: { type: 'string' }, 'no-cs': { type: 'boolean' }, short: { type: 'boolean' }, slow: { type: 'string' },
+    fault: { type: 'string' }, profile: { type: 'string' },
+  },
 });
-if (positionals.length !== 2) fail('rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--fault NAME] [--profile FILE]');
+// From frame FIRST on, PERIODS frames are measured. The picture is the last one.
+const FIRST = options.short ? 1 : 2;
+const PERIODS = options.short ? 1 : options.fault || options['no-cs'] || options.slow ? 3 : 8;
+const LAST = FIRST + PERIODS;
+if (positionals.length !== 2) fail('rp2040.mjs PROGRAM PICTURE.ppm [OPTION ...]');
 const [program, picture] = positionals;
+const noCs = { pins: { ...ST7789.pins, cs: undefined } };
 
-const pico = new Pico(readFileSync(program));
+const pico = new Pico(readFileSync(program), options['no-cs'] ? noCs : {});
 const { chip, panel } = pico;
-const { clock, dma, spi: [spi] } = chip;
+const { bus: spi, module } = panel;
+const { clock, dma } = chip;
 pico.clocks = { gaps: bits => bits + 2, instant: () => 0 }[options.bus] ?? pico.clocks;
 // The time advances by 750 ms for each frame, so that a few frames show all of an animation.
 const STEP_MS = 750;
@@ -54,12 +66,14 @@ const stacks = pico.cores.map(({ core, number }) => {
       if (sp > stack.top && sp <= 0x20040000) stack.top = sp;
       if (stack.top && sp < stack.lowest) stack.lowest = sp;
     }
-    return cycles;
+    return options.slow === String(number) ? 3 * cycles : cycles;
   };
   return stack;
 });
 
 // Mistakes that a program could make, as the chip would see them.
+const frequency = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(spi), 'clockFrequency').get;
+const scale = factor => Object.defineProperty(spi, 'clockFrequency', { get: () => frequency.call(spi) * factor });
 const readSpi = spi.readUint32.bind(spi), [channel] = dma.channels;
 const faults = {
   // The bus is not flushed before a pin changes.
@@ -76,6 +90,15 @@ const faults = {
   },
   // The panel is not selected.
   select: () => { chip.gpio[17].addListener(() => { panel.isSelected = false; }); },
+  // The clock rises once more after the reset, as it does when the bus is set up again.
+  edge: () => { chip.gpio[20].addListener(level => { if (level === 1) panel.disturb(); }); },
+  // The bus has half of its frequency, or twice as much.
+  half: () => scale(0.5),
+  fast: () => scale(2),
+  // The program takes the panel for another: its picture is mirrored, negative, or has red for blue.
+  mirror: () => { module.isMirrored = !module.isMirrored; },
+  invert: () => { module.isInverted = !module.isInverted; },
+  colors: () => { module.isBlueFirst = !module.isBlueFirst; },
 };
 if (options.fault) (faults[options.fault] ?? fail(`faults: ${Object.keys(faults).join(', ')}`))();
 
@@ -92,9 +115,7 @@ if (!panel.isLit) fail('the backlight is off');
 for (const complaint of pico.complaints) console.error(complaint);
 const cycles = (frames[LAST].at - frames[FIRST].at) / PERIODS * chip.clkSys / 1e9;
 const [width, height] = panel.size();
-const bytes = frames[LAST - 1].pixels;
-const colors = bytes.flatMap((high, at) => (at % 2 ? [] : rgb(high, bytes[at + 1])));
-writeFileSync(picture, Buffer.concat([Buffer.from(`P6 ${width} ${height} 255\n`), Buffer.from(colors)]));
+writeFileSync(picture, Buffer.concat([Buffer.from(`P6 ${width} ${height} 255\n`), frames[LAST - 1].pixels]));
 if (options.profile) writeFileSync(options.profile, JSON.stringify([...profile]));
 const used = pico.cores.filter(({ runs }) => runs).map(({ number }) => stacks[number].top - stacks[number].lowest);
-console.log(pico.asked[LAST - 2] / 1000, Math.round(cycles), ...used);
+console.log(pico.asked[LAST - 2] / 1000, Math.round(cycles), panel.busHz / 1000, ...used);

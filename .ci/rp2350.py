@@ -10,7 +10,7 @@ program has the block that the boot ROM looks for. Only core 0 runs.
 import struct
 import sys
 
-from chip import Chip  # first, because it says what is missing
+from chip import Chip, Module  # first, because it says what is missing
 
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M33)
@@ -19,6 +19,7 @@ FLASH, FLASH_SIZE = 0x10000000, 0x400000
 RETURN = FLASH + FLASH_SIZE - 4  # the return address of interrupt handlers: flash that no program uses
 FAMILY = 0xE48BFF59  # of UF2s for the secure state of the Arm cores
 BLOCK = (0xFFFFDED3, 0x10210142, 0x1FF, 0, 0xAB123579)  # a program for these cores, and no other block
+MODEL, MAGIC = 0x10040000, 0x6D786966  # where a model begins in flash, and its first word
 WFE, SEV = b"\x20\xbf", b"\x40\xbf"
 CS, DC, SCK, DATA, LIGHT = 17, 16, 18, 19, 21
 FUNCTION_SPI, FUNCTION_SIO = 1, 5
@@ -61,6 +62,12 @@ class Rp2350(Chip):
         for pin in range(48):
             self.registers[PADS + 4 * pin] = 0x116  # isolated
         self.locks, self.queue, self.received, self.asked = set(), b"", 0, []
+        self.bits, self.clock_is_high, self.data_is_high = "", False, False
+        if self.word(MODEL) == MAGIC:
+            # Word by word as the package flash-model states.
+            words = struct.unpack("<24I", core.mem_read(MODEL, 96))
+            flags = map(bool, words[12:15])
+            self.display.module = Module(words[5:7], words[7:9], words[11], *flags, 62.5e6, words[9:11])
         self.event = self.asleep = self.is_lit = self.was_high_half = False
         self.check_block()
         self.stack = self.word(FLASH)
@@ -161,8 +168,8 @@ class Rp2350(Chip):
             sys.exit(f"DMA writes {size} bytes at a time; SPI requests {self.registers[SPI_DMA]}")
         reference, feedback, dividers = (self.registers[PLLS[0] + at] for at in (0, 8, 12))
         self.CLOCK_HZ = CRYSTAL_HZ * feedback / (reference & 63) / (dividers >> 16 & 7) / (dividers >> 12 & 7)
-        bus_hz = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
-        self.BUS_HZ = bus_hz * 8 * size / (8 * size + 2)  # it rests for two of its clocks after each word
+        self.BUS_HZ = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
+        self.BUS_GAPS = (8 * size + 2) / (8 * size)  # it rests for two of its clocks after each word
         self.begin(lambda: self.band(source, count, size), count * size)
 
     def read(self, address):
@@ -229,7 +236,19 @@ class Rp2350(Chip):
             self.registers[address] = value
 
     def pins(self, value, high):
+        if value >> DATA & 1:
+            self.data_is_high = high
+        if value >> SCK & 1:
+            # While the display is set up, the program sets the clock itself: each rising edge is a bit.
+            if high and not self.clock_is_high and self.registers[PINS + 8 * SCK] & 31 == FUNCTION_SIO:
+                self.bits += str(int(self.data_is_high))
+            self.clock_is_high = high
+            if len(self.bits) == 8:
+                self.display.receive(bytes([int(self.bits, 2)]))
+                self.bits = ""
         cs, dc = value >> CS & 1, value >> DC & 1
+        if cs and high:  # the display forgets the bits of an incomplete byte
+            self.bits = ""
         if (cs or dc) and self.queue:
             sys.exit(f"a pin changed before the last {len(self.queue)} bytes were on the bus")
         self.display.pins(cs, dc, high)

@@ -10,7 +10,7 @@ STM32F405's reference manual, RM0090.
 """
 import sys
 
-from chip import Chip  # first, because it says what is missing
+from chip import ILI9341, Chip  # first, because it says what is missing
 
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M4)
@@ -25,7 +25,8 @@ class Stm32f4(Chip):
     FLAGS, CONTROL, COUNT, SOURCE = 0x40026400, 0x40026458, 0x4002645C, 0x40026464  # of DMA 2 and its stream 3
     TIMER = 0x40000000
     STACK, PC = UC_ARM_REG_SP, UC_ARM_REG_PC
-    CLOCK_HZ, BUS_HZ = 168e6, 42e6
+    CLOCK_HZ = 168e6
+    BUS_HZ = property(lambda self: 84e6 / (2 << (self.registers[0x40013000] >> 3 & 7)))
 
     def __init__(self, program):
         core = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
@@ -38,6 +39,7 @@ class Stm32f4(Chip):
             if code[at : at + 2] in (b"\x20\xbf", b"\x30\xbf"):  # WFE, WFI
                 core.hook_add(UC_HOOK_CODE, self.sleep, begin=FLASH + at, end=FLASH + at)
         self.asleep = self.received = False
+        self.display.module = ILI9341
 
     @staticmethod
     def length(code):

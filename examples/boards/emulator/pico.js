@@ -6,8 +6,11 @@
 import { RP2040 } from "rp2040js";
 
 const FLASH = 0x10000000, ROM_END = 0x1000;
-const CS = 17, DC = 16, BACKLIGHT = 21;
-const NOP = 0x00, CASET = 0x2a, RASET = 0x2b, RAMWR = 0x2c;
+/** Where a model begins in flash, its first word, and the version of its format. */
+const MODEL = 0x40000, MAGIC = 0x6d786966, VERSION = 4;
+const SPI_FUNCTION = 1, SIO_FUNCTION = 5;
+const NOP = 0x00, SLPOUT = 0x11, INVOFF = 0x20, INVON = 0x21, DISPON = 0x29;
+const CASET = 0x2a, RASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, COLMOD = 0x3a;
 /** More mistakes than these end a run. */
 const MISTAKES = 20;
 
@@ -16,61 +19,184 @@ const TIMER = { 0x08: 1, 0x0c: 0, 0x24: 1, 0x28: 0 };
 const DIVIDER = ["divDividend", "divDivisor", "divQuotient", "divRemainder", "divCSR"];
 
 /**
- * The panel follows its data sheet: CS selects it, DC tells commands from data, CASET and RASET set a window, and RAMWR
- * writes to it. A byte that is sent while CS is high is lost, and so is one that is on the bus when CS or DC changes:
- * both are errors.
+ * A module with a panel: how its glass and its wires differ from others of the same controller, and which pins of the
+ * Pico it is wired to. Sizes are columns and rows before a rotation.
+ */
+export const ST7789 = {
+  /** The most that is usual for the controller's bus. */
+  limitHz: 62.5e6,
+  size: [240, 240],
+  memory: [240, 320],
+  /** Where the glass begins in the controller's memory. */
+  offset: [0, 0],
+  /** Clockwise turns by 90 degrees that the program is to make. */
+  rotation: 0,
+  /** The glass shows the memory's last column first. */
+  isMirrored: false,
+  /** The glass has blue where the controller has red. */
+  isBlueFirst: false,
+  /** The glass shows a negative unless the controller inverts. */
+  isInverted: true,
+  /** The backlight is on while its pin is low. */
+  isLightLow: false,
+  /** Where nothing is wired, a pin is undefined. A module without CS has it tied low. */
+  pins: { clock: 18, data: 19, cs: 17, dc: 16, reset: 20, light: 21 },
+};
+
+/** The highest usual frequencies of the controllers' buses, by the numbers that the model's header has for them. */
+const LIMITS = [62.5e6, 40e6, 62.5e6, 15.2e6, 27e6];
+
+/** The module of a model's header: word by word as the package flash-model states. */
+function recorded(word) {
+  const pair = (at) => [word(at), word(at + 1)];
+  const pin = (at) => (word(at) === 0xffffffff ? undefined : word(at));
+  const [clock, data, dc, cs, reset, light] = [17, 18, 19, 20, 21, 22].map(pin);
+  return {
+    limitHz: LIMITS[word(4)], size: pair(5), memory: pair(7), offset: pair(9), rotation: word(11),
+    isMirrored: word(12) === 1, isBlueFirst: word(13) === 1, isInverted: word(14) === 1,
+    pins: { clock, data, dc, cs, reset, light }, isLightLow: word(23) === 1,
+  };
+}
+
+/**
+ * The panel follows its data sheet, bit by bit: at a rising edge of the clock, a bit arrives if CS is low; with the
+ * eighth, DC says whether the byte is a command or data. Only CS and the reset clear the count of bits. CASET and RASET
+ * set a window, RAMWR writes to it, and MADCTL, COLMOD and the inversion say what becomes of the pixels.
+ *
+ * What is sent while CS is high is lost, and so is what is on the bus when CS or DC changes: both are errors. So is a
+ * clock that is faster than the controller's limit.
  */
 class Panel {
-  isSelected = false;
+  isSelected;
   isLit = false;
+  isAwake = false;
+  isOn = false;
   /** The bytes that were received. */
   received = 0;
   /** How many frames were begun, and how many of them are complete. */
   begun = 0;
   complete = 0;
   errors = [];
-  /** Is called as a frame begins. The one before has its pixels by then: two bytes each, row by row. */
+  /** The bus's frequency when it last sent a word. */
+  busHz = 0;
+  /** Is called as a frame begins. The one before has its pixels by then: red, green and blue from 0 to 255. */
   onFrame = () => {};
   #isData = true;
+  /** Whether the clock is high, and the bits of the byte that arrives: unknown until CS or the reset clears them. */
+  #isHigh = false;
+  #bits = [3, 0];
   #command = NOP;
   #data = [];
   #windows = {};
+  #mode = 0;
+  #isInverted = false;
+  #bytesOfPixel = 3;
   #frame;
 
-  constructor({ gpio, clock, spi: [spi] }) {
+  constructor({ gpio, clock, spi, peripherals: { [0x4000c]: resets } }, module) {
+    const { pins } = module;
+    // Of each 16 pins, the first eight belong to SPI 0.
+    const block = pins.clock >> 3 & 1;
+    this.now = () => clock.nanos;
+    this.module = module;
+    [this.gpio, this.bus] = [gpio, spi[block]];
+    this.memory = new Int32Array(module.memory[0] * module.memory[1]).fill(-1);
     const changes = (name, set) => (level) => {
-      if (spi.busy) this.errors.push(`${name} changed while a byte was on the bus`);
+      if (this.bus.busy) this.errors.push(`${name} changed while a byte was on the bus`);
       set(level === 1);
     };
-    this.now = () => clock.nanos;
-    gpio[CS].addListener(changes("CS", (isHigh) => { this.isSelected = !isHigh; }));
-    gpio[DC].addListener(changes("DC", (isHigh) => { this.#isData = isHigh; }));
-    gpio[BACKLIGHT].addListener((level) => {
-      this.#execute();
-      if (level === 1 && !this.complete) this.errors.push("the backlight is on before the panel is cleared");
-      this.isLit = level === 1;
-    });
+    const listen = (pin, listener) => pin !== undefined && gpio[pin].addListener(listener);
+    this.isSelected = pins.cs === undefined;
+    // Modules without a pin for the backlight are always lit.
+    this.isLit = pins.light === undefined;
+    listen(pins.cs, changes("CS", (isHigh) => {
+      this.isSelected = !isHigh;
+      this.#bits = [0, 0];
+    }));
+    listen(pins.dc, changes("DC", (isHigh) => { this.#isData = isHigh; }));
+    listen(pins.reset, (level) => this.#reset(level === 1));
+    listen(pins.light, (level) => this.#light(level === (module.isLightLow ? 0 : 1)));
+    // The clock's level changes with its pin, and as the bus is reset and set up.
+    listen(pins.clock, () => this.#clock());
+    const [writeBus, writeResets] = [this.bus.writeUint32.bind(this.bus), resets.writeUint32.bind(resets)];
+    this.bus.writeUint32 = (at, value) => { writeBus(at, value); if (at === 0) this.#clock(); };
+    resets.writeUint32 = (at, value) => {
+      writeResets(at, value);
+      if (resets.reset >> 16 + block & 1) [this.bus.control0, this.bus.control1] = [0, 0];
+      this.#clock();
+    };
   }
 
-  /** Columns and rows of the window. */
+  /** Columns and rows of the picture that is shown. */
   size() {
-    return [CASET, RASET].map((axis) => {
-      if (!this.#windows[axis]) throw new Error("no window");
-      const [first, last] = this.#windows[axis];
-      return last - first + 1;
-    });
+    const [width, height] = this.module.size;
+    return this.module.rotation & 1 ? [height, width] : [width, height];
   }
 
-  receive(byte) {
+  /** The level of the clock between words: the program's pin, or where the bus rests. */
+  #clock() {
+    const { outputValue, outputEnable, functionSelect } = this.gpio[this.module.pins.clock];
+    const bySpi = functionSelect === SPI_FUNCTION && this.bus.control0 & 0x40;
+    const isHigh = Boolean(bySpi) || (functionSelect === SIO_FUNCTION && outputEnable && outputValue);
+    if (isHigh && !this.#isHigh) this.#edge(Number(this.gpio[this.module.pins.data].outputValue));
+    this.#isHigh = isHigh;
+  }
+
+  /** An edge that nobody wanted. */
+  disturb() {
+    this.#edge(0);
+  }
+
+  #edge(bit) {
+    if (!this.isSelected || this.isReset) return;
+    const [count, bits] = this.#bits;
+    this.#bits = count < 7 ? [count + 1, bits << 1 | bit] : [0, 0];
+    if (count >= 7) this.#receive((bits << 1 | bit) & 0xff);
+  }
+
+  /** The bus has sent a word of so many bits. */
+  word(value, count) {
+    const { bus, gpio, module: { pins, limitHz } } = this;
+    this.busHz = bus.clockFrequency;
+    const lines = [pins.clock, pins.data].map((pin) => gpio[pin].functionSelect);
+    if (lines.some((line) => line !== SPI_FUNCTION)) this.errors.push("the bus sends, but is not on its pins");
+    if (this.busHz > limitHz) this.errors.push(`the bus has ${this.busHz} Hz, but the controller only ${limitHz}`);
+    if ((bus.control0 >> 6 ^ bus.control0 >> 7) & 1) this.errors.push("the bus is in mode 1 or 2");
+    if (!this.isSelected) this.errors.push(`${value.toString(16)} was sent while no panel listened`);
+    // Whole bytes are the usual case.
+    for (let left = count - 8; left >= 0; left -= 8) {
+      const byte = value >> left & 0xff;
+      if (!this.isSelected || this.isReset) continue;
+      if (this.#bits[0] === 0) this.#receive(byte);
+      else for (let bit = 7; bit >= 0; bit--) this.#edge(byte >> bit & 1);
+    }
+    if (this.errors.length > MISTAKES) this.check();
+  }
+
+  #reset(isHigh) {
+    if (isHigh && this.module.pins.cs === undefined && !this.#isHigh) {
+      // Such modules are known to work in mode 3 only.
+      this.errors.push("there is no CS, and the clock is low as the reset ends");
+    }
+    this.isReset = !isHigh;
+    [this.isAwake, this.isOn, this.#isInverted, this.#mode, this.#bytesOfPixel] = [false, false, false, 0, 3];
+    [this.#bits, this.#command, this.#data] = [[0, 0], NOP, []];
+  }
+
+  #light(isLit) {
+    this.#execute();
+    if (isLit && this.memory.includes(-1)) this.errors.push("the backlight is on before the panel is cleared");
+    this.isLit = isLit;
+  }
+
+  #receive(byte) {
     this.received++;
-    if (!this.isSelected) this.errors.push(`${byte.toString(16)} was sent while no panel listened`);
-    else if (this.#isData) this.#data.push(byte);
+    if (this.#isData) this.#data.push(byte);
     else {
       this.#execute();
       this.#command = byte;
       if (byte === RAMWR) this.#begin();
     }
-    if (this.errors.length > MISTAKES) this.check();
   }
 
   #begin() {
@@ -83,14 +209,75 @@ class Panel {
   #execute() {
     const [command, data] = [this.#command, this.#data];
     const [a, b, c, d] = data;
-    if (command === CASET || command === RASET) this.#windows[command] = [a << 8 | b, c << 8 | d];
-    if (command === RAMWR) {
-      const [width, height] = this.size();
-      this.#frame.pixels = data;
-      if (data.length === 2 * width * height) this.complete++;
-      else this.errors.push(`${data.length} bytes in a window of ${width}x${height} pixels`);
-    }
     [this.#command, this.#data] = [NOP, []];
+    switch (command) {
+      case SLPOUT: this.isAwake = true; break;
+      case DISPON: this.isOn = true; break;
+      case INVOFF: this.#isInverted = false; break;
+      case INVON: this.#isInverted = true; break;
+      case MADCTL: this.#mode = a; break;
+      case COLMOD: this.#bytesOfPixel = (a & 7) === 5 ? 2 : 3; break;
+      case CASET: case RASET: this.#windows[command] = [a << 8 | b, c << 8 | d]; break;
+      case RAMWR: this.#write(data); break;
+    }
+  }
+
+  #write(data) {
+    if (!this.#windows[CASET] || !this.#windows[RASET]) throw new Error("no window");
+    const [left, right] = this.#windows[CASET];
+    const [top, bottom] = this.#windows[RASET];
+    const [width, height, step] = [right - left + 1, bottom - top + 1, this.#bytesOfPixel];
+    if (data.length !== step * width * height) {
+      this.errors.push(`${data.length} bytes in a window of ${width}x${height} pixels`);
+      return;
+    }
+    for (let row = top, at = 0; row <= bottom; row++) {
+      for (let column = left; column <= right; column++, at += step) {
+        const cell = this.#cell(column, row);
+        if (cell === undefined) { this.errors.push("the window is larger than the memory"); return; }
+        const upper = data[at] << 8 | data[at + 1];
+        this.memory[cell] = step === 2 ? upper : upper << 8 | data[at + 2];
+      }
+    }
+    if (!this.isAwake || !this.isOn) this.errors.push("a frame was sent to a panel that sleeps or is off");
+    this.complete++;
+    this.#frame.pixels = this.#picture();
+  }
+
+  /** The place in memory of the program's column and row. */
+  #cell(column, row) {
+    const [width, height] = this.module.memory;
+    let [x, y] = this.#mode & 0x20 ? [row, column] : [column, row];
+    if (this.#mode & 0x40) x = width - 1 - x;
+    if (this.#mode & 0x80) y = height - 1 - y;
+    return x >= 0 && x < width && y >= 0 && y < height ? y * width + x : undefined;
+  }
+
+  /** What somebody sees who has turned the module so that the picture is upright. */
+  #picture() {
+    const { memory, module: { size: [width, height], memory: [stride], offset, rotation, isMirrored } } = this;
+    const [columns, rows] = this.size();
+    const pixels = new Uint8Array(3 * columns * rows);
+    for (let row = 0, at = 0; row < rows; row++) {
+      for (let column = 0; column < columns; column++, at += 3) {
+        const [x, y] = [
+          [column, row], [width - 1 - row, column], [width - 1 - column, height - 1 - row], [row, height - 1 - column],
+        ][rotation];
+        const cell = (offset[1] + y) * stride + offset[0] + (isMirrored ? width - 1 - x : x);
+        pixels.set(this.#color(memory[cell]), at);
+      }
+    }
+    return pixels;
+  }
+
+  /** Red, green and blue of a pixel. */
+  #color(pixel) {
+    const levels = this.#bytesOfPixel === 2
+      ? [of(pixel >> 11, 31), of(pixel >> 5 & 63, 63), of(pixel & 31, 31)]
+      : [five(pixel >> 18 & 63), of(pixel >> 10 & 63, 63), five(pixel >> 2 & 63)];
+    const isExchanged = Boolean(this.#mode & 8) !== this.module.isBlueFirst;
+    const seen = isExchanged ? levels.reverse() : levels;
+    return this.#isInverted === this.module.isInverted ? seen : seen.map((level) => 255 - level);
   }
 
   /** Throws the errors, if there were any. */
@@ -100,17 +287,18 @@ class Panel {
   }
 }
 
-/** A pixel of two bytes as red, green and blue from 0 to 255. */
-export function rgb(high, low) {
-  const channel = (value, most) => Math.floor((value * 255 + (most >> 1)) / most);
-  const pixel = high << 8 | low;
-  return [channel(pixel >> 11, 31), channel(pixel >> 5 & 63, 63), channel(pixel & 31, 31)];
+/** A level of six bits that was made of five, as one of 255; another one is wrong. */
+const five = (level) => (level & 1) === level >> 5 ? of(level >> 1, 31) : 0;
+
+/** A level of `most` as one of 255. */
+function of(level, most) {
+  return Math.floor((level * 255 + (most >> 1)) / most);
 }
 
 /** The board, from the second-stage boot loader on. */
 export class Pico {
   chip = new RP2040();
-  panel = new Panel(this.chip);
+  panel;
   /** What the chip found wrong. */
   complaints = new Set();
   /** The cores. Each has its own time, its number, its queue of words from the other one, and its divider. */
@@ -126,8 +314,11 @@ export class Pico {
   #active = this.cores[0];
   #functions;
 
-  /** A board with a program in its flash, which is an ELF file or a UF2. */
-  constructor(program) {
+  /**
+   * A board with a program in its flash, which is an ELF file or a UF2, and a module on its pins: by default the one
+   * that the model in flash is for. `changes` are differences of the module.
+   */
+  constructor(program, changes = {}) {
     const complain = (part, text) => {
       this.complaints.add(`${part}: ${text}`);
       if (this.complaints.size > MISTAKES) throw new Error([...this.complaints].join("\n"));
@@ -138,6 +329,7 @@ export class Pico {
     this.#secondCore();
     this.#rom();
     this.#load(program);
+    this.panel = new Panel(this.chip, { ...this.#wanted(), ...changes });
     this.#complete();
     this.#timer();
     this.#bus();
@@ -298,6 +490,13 @@ export class Pico {
     }
   }
 
+  /** The module that the header of a model names. */
+  #wanted() {
+    const { flash } = this.chip;
+    const word = (at) => new DataView(flash.buffer, flash.byteOffset).getUint32(MODEL + 4 * at, true);
+    return word(0) === MAGIC && word(1) === VERSION ? recorded(word) : ST7789;
+  }
+
   /**
    * Adds what rp2040js lacks: the core's voltage (1.1 V, as after a reset), the ring oscillator's registers, the
    * register that aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory.
@@ -333,16 +532,16 @@ export class Pico {
   }
 
   #bus() {
-    const { panel, chip: { clock, spi: [spi] } } = this;
+    const { panel, chip: { clock } } = this;
+    const { bus } = panel;
     let sent = 0;
     const arrived = clock.createAlarm(() => {
-      if (spi.dataBits === 16) panel.receive(sent >> 8);
-      panel.receive(sent & 0xff);
-      spi.completeTransmit(0xff);
+      panel.word(sent, bus.dataBits);
+      bus.completeTransmit(0xff);
     });
-    spi.onTransmit = (value) => {
+    bus.onTransmit = (value) => {
       sent = value;
-      arrived.schedule(this.clocks(spi.dataBits) * 1e9 / spi.clockFrequency);
+      arrived.schedule(this.clocks(bus.dataBits) * 1e9 / bus.clockFrequency);
     };
   }
 }

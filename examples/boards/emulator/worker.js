@@ -1,7 +1,7 @@
 // Runs a program on the emulated Pico in a worker of a page. Takes the bytes of a UF2. Posts each frame once it is
 // complete: its columns; its pixels as red, green, blue and alpha; the milliseconds after which the program began it;
 // the seconds until the next one; and the bytes on the bus until then. An error ends the run: its first line is posted.
-import { Pico, rgb } from "./pico.js";
+import { Pico } from "./pico.js";
 
 onmessage = ({ data }) => {
   try {
@@ -27,7 +27,7 @@ function show({ asked, panel }, { at, received, pixels }, next) {
   const [width, height] = panel.size();
   const rgba = new Uint8ClampedArray(4 * width * height).fill(255);
   for (let pixel = 0; pixel < width * height; pixel++) {
-    rgba.set(rgb(pixels[2 * pixel], pixels[2 * pixel + 1]), 4 * pixel);
+    rgba.set(pixels.subarray(3 * pixel, 3 * pixel + 3), 4 * pixel);
   }
   postMessage({
     width,

@@ -1,12 +1,15 @@
 //! Makes a UF2 of the program `pico_model` and a model; draws what such a UF2 shows:
 //!
 //! ```sh
-//! model PROGRAM st7789|ili9341 MODEL [PICTURE] [-o model.uf2]
+//! model PROGRAM MODULE MODEL [PICTURE] [-o model.uf2]
+//! model UF2 MODULE [-o model.uf2]
 //! model UF2 MILLISECONDS [-o picture.ppm]
 //! ```
 //!
-//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. Without `-o`, the bytes
-//! go to standard output. Before it writes, the command says what the model costs on the board.
+//! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. MODULE is the name of a
+//! module with a display, and after commas what is different: `st7789,rotation=1,cs=none`. Without a model, the UF2's
+//! own model is kept. Without `-o`, the bytes go to standard output. Before it writes, the command says what the model
+//! costs on the board.
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -18,10 +21,11 @@ use boards::model::Scene;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel_assets::{Disk, Files, Picture};
-use flash_model::{Board, Model, Panel, board, rate, region, uf2, write};
+use flash_model::{Board, Model, Module, board, rate, region, uf2, with_module, write};
 
-const USAGE: &str = "give the file of the program (such as pico.uf2), the panel (st7789 or ili9341) and the model, and \
-                     perhaps a picture and -o FILE; or a UF2 and a time in milliseconds, and perhaps -o FILE";
+const USAGE: &str = "give the file of the program (such as pico.uf2), the module with the display (such as st7789) and \
+                     the model, and perhaps a picture and -o FILE; or a UF2 and a module, to keep the model; or a UF2 \
+                     and a time in milliseconds, for a picture";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -42,16 +46,8 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
     };
     keep(args, to)?;
     let bytes = match *args {
-        [program, panel, model, ref picture @ ..] if picture.len() < 2 => {
-            let panel = match panel {
-                "st7789" => Panel::St7789,
-                "ili9341" => Panel::Ili9341,
-                _ => {
-                    return Err(
-                        format!("the panel is {panel}: it must be st7789 or ili9341").into(),
-                    );
-                }
-            };
+        [program, module, model, ref picture @ ..] if picture.len() < 2 => {
+            let module = Module::parse(module)?;
             let picture = match picture {
                 [path] => Some(
                     Picture::decode(&read(path)?)
@@ -62,18 +58,24 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
             let mut notes = Vec::new();
             let program = read(program)?;
             let board = board(&program)?;
-            let words = write(model, &Disk, picture.as_ref(), board, panel, &mut notes)?;
+            let words = write(model, &Disk, picture.as_ref(), board, module, &mut notes)?;
             for note in notes {
                 eprintln!("note: {note}");
             }
             eprintln!("{}", cost(&words, board)?);
             uf2(&program, &words)?
         }
-        [path, now] => {
+        [path, now] if now.starts_with(|first: char| first.is_ascii_digit()) => {
             let now_ms = now.parse().map_err(|_| {
                 format!("the time is {now}: it must be a whole number of milliseconds")
             })?;
             picture(&read(path)?, now_ms)?
+        }
+        [path, module] => {
+            let (file, module) = (read(path)?, Module::parse(module)?);
+            let words =
+                with_module(&words(&file), module).map_err(|problem| problem.to_string())?;
+            uf2(&file, &words)?
         }
         _ => return Err(USAGE.into()),
     };
@@ -142,15 +144,15 @@ fn read(path: &str) -> Result<Vec<u8>, String> {
 /// Below this many frames a second, a turning model jerks.
 const SLOW: f64 = 5.0;
 
-fn picture(uf2: &[u8], now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
+/// The words that a UF2 has for the model.
+fn words(uf2: &[u8]) -> Vec<u32> {
     let bytes = region(uf2, Board::Pico2.flash());
-    let words: Vec<u32> = bytes
-        .as_chunks()
-        .0
-        .iter()
-        .copied()
-        .map(u32::from_le_bytes)
-        .collect();
+    let (words, _) = bytes.as_chunks();
+    words.iter().copied().map(u32::from_le_bytes).collect()
+}
+
+fn picture(uf2: &[u8], now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
+    let words = words(uf2);
     let scene = Scene::new(&words)?;
     let (width, height) = scene.size();
     let mut pixels = vec![Rgb565::BLACK; (width * height) as usize];

@@ -14,6 +14,7 @@ pub mod panel;
 pub mod pico;
 #[cfg(all(feature = "picos", not(feature = "rtic")))]
 pub mod queue;
+pub mod slow_bus;
 
 #[cfg(feature = "ball")]
 pub use ball as scene;

@@ -9,7 +9,7 @@ use embedded_graphics::text::Text;
 use fixel::canvas::Storage;
 use fixel::mode::Fast;
 use fixel::prelude::*;
-use flash_model::{HOLE, Model, Panel, Problem, turn, view};
+use flash_model::{HOLE, Model, Module, Problem, turn, view};
 use heapless::String;
 
 const SKY: Rgb565 = Rgb565::new(3, 8, 8);
@@ -26,13 +26,13 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The scene of the model in these words, for the panel that they name.
+    /// The scene of the model in these words, for the module that they name.
     ///
     /// # Errors
     ///
     /// None.
     pub fn new(words: &'a [u32]) -> Result<Self, Error> {
-        let size = Panel::wanted(words).size();
+        let size = Module::wanted(words).size();
         let sun = |direction| Light::new(direction, fx!(0.35), fx!(0.65));
         Ok(Self {
             size,
@@ -45,7 +45,7 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// Columns and rows of the panel.
+    /// Columns and rows of the picture.
     #[must_use]
     pub const fn size(&self) -> (u32, u32) {
         self.size

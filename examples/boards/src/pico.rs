@@ -9,17 +9,23 @@
 //! | RES | GP20 | reset |
 //! | BL | GP21 | backlight |
 //! | VCC, GND | 3V3, GND | |
+//!
+//! `pico_model` reads its pins from flash.
 
 use cortex_m::singleton;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::MODE_0;
+use embedded_hal::spi::{MODE_0, MODE_3};
+use flash_model::{Module, NO_PIN};
 use hal::clocks::{Clock, init_clocks_and_plls};
 use hal::dma::single_buffer::{Config, Transfer};
 use hal::dma::{CH0, Channel, DMAExt, SingleChannel};
 use hal::fugit::HertzU32;
-use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
-use hal::gpio::{self, FunctionSioOutput, FunctionSpi, Pin, PullDown};
+use hal::gpio::{
+    self, DynBankId, DynFunction, DynPinId, DynPullType, FunctionSioOutput, FunctionSpi, Pin,
+    new_pin,
+};
 use hal::pac;
+use hal::spi::{SpiDevice, ValidatedPinSck, ValidatedPinTx};
 use hal::{Sio, Spi, Watchdog, sio, spi};
 use heapless::Vec;
 #[cfg(feature = "pico2")]
@@ -27,7 +33,8 @@ pub use rp235x_hal as hal;
 #[cfg(feature = "pico")]
 pub use rp2040_hal as hal;
 
-use crate::panel::{Controller, Panel, Pins};
+use crate::panel::{Panel, Pins};
+use crate::slow_bus::SlowBus;
 
 /// The second-stage boot loader, which an RP2040 runs first to set up its flash.
 #[cfg(feature = "pico")]
@@ -62,7 +69,7 @@ const LAYOUT: (u32, u32, u32, usize) = if cfg!(feature = "model") {
     }
 };
 
-/// Columns of the display; `pico_model` has displays of fewer, too.
+/// Columns of the display; of the display of `pico_model`, its module says how many.
 pub const WIDTH: u32 = LAYOUT.0;
 /// Rows of the display.
 pub const HEIGHT: u32 = LAYOUT.1;
@@ -70,10 +77,36 @@ pub const HEIGHT: u32 = LAYOUT.1;
 pub const ROWS: u32 = LAYOUT.2;
 /// Bands of a frame.
 pub const BANDS_OF_FRAME: u32 = HEIGHT / ROWS;
-/// Pixels of a band, as many as the display has columns.
+/// Words of 16 bits of a band.
 pub const PIXELS: usize = (WIDTH * ROWS) as usize;
 /// Bands in memory: on their way, and one for each core to draw into.
 pub const BANDS: usize = LAYOUT.3;
+
+/// The module with the display, except for `pico_model`.
+pub const MODULE: Module = if WIDTH > HEIGHT {
+    Module {
+        rotation: 1,
+        ..Module::ST7789_TALL
+    }
+} else {
+    Module::ST7789
+};
+
+/// The rows of a band for a module: as many as [`PIXELS`] words hold, of the numbers that divide the height.
+#[must_use]
+pub const fn rows_for(module: &Module) -> u32 {
+    let (width, height) = module.size();
+    let mut rows = height;
+    while words_of(module, width * rows) > PIXELS || !height.is_multiple_of(rows) {
+        rows -= 1;
+    }
+    rows
+}
+
+/// The words of some pixels on a module's bus.
+const fn words_of(module: &Module, pixels: u32) -> usize {
+    (pixels * module.bytes_of_pixel() / 2) as usize
+}
 
 /// The pixels of a band, each a word of the bus.
 pub type Band = &'static mut [u16];
@@ -81,44 +114,36 @@ pub type Band = &'static mut [u16];
 /// The frequency of the board's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// The fastest clock for a controller's bus. An ST7789's data sheet allows 62.5 MHz. An ILI9341's allows 10 MHz, but
-/// faster is usual. The chip divides its clock by an even number: the Pico's bus runs at 62.5 or 31.25 MHz, and the bus
-/// of the Pico 2 at 37.5 MHz for both.
-const fn fastest(controller: Controller) -> HertzU32 {
-    match controller {
-        Controller::St7789 => HertzU32::Hz(62_500_000),
-        Controller::Ili9341 => HertzU32::Hz(40_000_000),
-    }
-}
-
-type Data = (
-    Pin<Gpio19, FunctionSpi, PullDown>,
-    Pin<Gpio18, FunctionSpi, PullDown>,
+/// A pin whose number is known only now.
+type Wire<F> = Pin<DynPinId, F, DynPullType>;
+/// A pin that the program sets.
+type Output = Wire<FunctionSioOutput>;
+type Data<D> = (
+    ValidatedPinTx<Wire<FunctionSpi>, D>,
+    ValidatedPinSck<Wire<FunctionSpi>, D>,
 );
 /// A bus of 16-bit words.
-type Bus = Spi<spi::Enabled, pac::SPI0, Data, 16>;
-/// A pin that the program sets.
-type Output<I> = Pin<I, FunctionSioOutput, PullDown>;
+type Bus<D> = Spi<spi::Enabled, D, Data<D>, 16>;
 
 /// What the DMA does.
-enum State {
+enum State<D: SpiDevice> {
     /// Nothing.
-    Idle(Channel<CH0>, Bus),
+    Idle(Channel<CH0>, Bus<D>),
     /// It sends a band.
-    Sends(Transfer<Channel<CH0>, Band, Bus>),
+    Sends(Transfer<Channel<CH0>, Band, Bus<D>>),
 }
 
 /// Sends bands to the display by DMA, frame after frame. When a band was sent, DMA requests its interrupt 0.
-pub struct Sender {
-    panel: Panel<Output<Gpio17>, Output<Gpio16>, Output<Gpio20>>,
-    state: Option<State>,
-    /// The number in its frame of the band that is started next.
+pub struct Way<D: SpiDevice> {
+    panel: Panel<Output, Output, Output>,
+    state: Option<State<D>>,
+    /// The number in its frame of the band that is started next, and the bands of a frame.
     next: u32,
+    bands_of_frame: u32,
 }
 
-impl Sender {
-    /// The band that was sent last, unless it was returned before. Withdraws the request of the interrupt.
-    pub fn sent(&mut self) -> Option<Band> {
+impl<D: SpiDevice> Way<D> {
+    fn sent(&mut self) -> Option<Band> {
         let (state, band) = match self.state.take()? {
             State::Sends(transfer) if transfer.is_done() => {
                 let (mut channel, band, bus) = transfer.wait();
@@ -131,8 +156,7 @@ impl Sender {
         band
     }
 
-    /// Starts to send the band that `next` returns, unless another one is being sent.
-    pub fn start(&mut self, next: impl FnOnce() -> Option<Band>) {
+    fn start(&mut self, next: impl FnOnce() -> Option<Band>) {
         self.state = match self.state.take() {
             Some(State::Idle(channel, mut bus)) => match next() {
                 Some(band) => {
@@ -140,12 +164,41 @@ impl Sender {
                         // This chip's pins and bus return no errors.
                         self.panel.start_frame(&mut bus).ok();
                     }
-                    self.next = (self.next + 1) % BANDS_OF_FRAME;
+                    self.next = (self.next + 1) % self.bands_of_frame;
                     Some(State::Sends(Config::new(channel, band, bus).start()))
                 }
                 None => Some(State::Idle(channel, bus)),
             },
             state => state,
+        }
+    }
+}
+
+/// The way to the display, by one of the chip's two buses.
+pub enum Sender {
+    /// SPI 0.
+    Spi0(Way<pac::SPI0>),
+    /// SPI 1.
+    #[cfg(feature = "model")]
+    Spi1(Way<pac::SPI1>),
+}
+
+impl Sender {
+    /// The band that was sent last, unless it was returned before. Withdraws the request of the interrupt.
+    pub fn sent(&mut self) -> Option<Band> {
+        match self {
+            Self::Spi0(way) => way.sent(),
+            #[cfg(feature = "model")]
+            Self::Spi1(way) => way.sent(),
+        }
+    }
+
+    /// Starts to send the band that `next` returns, unless another one is being sent.
+    pub fn start(&mut self, next: impl FnOnce() -> Option<Band>) {
+        match self {
+            Self::Spi0(way) => way.start(next),
+            #[cfg(feature = "model")]
+            Self::Spi1(way) => way.start(next),
         }
     }
 }
@@ -166,14 +219,9 @@ pub struct Board {
     pub bands: Vec<Band, BANDS>,
 }
 
-/// Sets up clocks, bus and an ST7789, clears the display, and switches its backlight on. May be called once.
-pub fn set_up(pac: pac::Peripherals) -> Option<Board> {
-    set_up_with(pac, Controller::St7789, WIDTH)
-}
-
-/// The same for a display with another controller, and at most [`WIDTH`] columns.
+/// Sets up clocks, bus and display, clears the display, and switches its backlight on. May be called once.
 #[inline] // leaves out the code for other controllers
-pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32) -> Option<Board> {
+pub fn set_up(mut pac: pac::Peripherals, module: &Module) -> Option<Board> {
     // The processor and its peripherals run at 125 MHz, those of the Pico 2 at 150 MHz.
     let mut watchdog = Watchdog::new(pac.WATCHDOG);
     let clocks = init_clocks_and_plls(
@@ -192,60 +240,116 @@ pub fn set_up_with(mut pac: pac::Peripherals, controller: Controller, width: u32
     let mut timer = Timer::new_timer0(pac.TIMER0, &mut pac.RESETS, &clocks);
 
     let sio = Sio::new(pac.SIO);
-    let gpio = gpio::Pins::new(
+    // From now on, pins work.
+    gpio::Pins::new(
         pac.IO_BANK0,
         pac.PADS_BANK0,
         sio.gpio_bank0,
         &mut pac.RESETS,
     );
-    let clock = gpio.gpio18.into_function::<FunctionSpi>();
-    let data = gpio.gpio19.into_function::<FunctionSpi>();
-    let frequency = clocks.peripheral_clock.freq();
-    let pins = Pins {
-        cs: gpio.gpio17.into_push_pull_output(),
-        dc: gpio.gpio16.into_push_pull_output(),
-        reset: gpio.gpio20.into_push_pull_output(),
-    };
-    // The driver sends bytes; after that, words of 16 bits, between which there are half as many gaps.
-    let mut bytes = Spi::<_, _, _, 8>::new(pac.SPI0, (data, clock)).init(
-        &mut pac.RESETS,
-        frequency,
-        fastest(controller),
-        MODE_0,
-    );
-    let mut panel = match controller {
-        Controller::St7789 => Panel::st7789((width, HEIGHT), &mut bytes, pins, &mut timer),
-        Controller::Ili9341 => Panel::ili9341(&mut bytes, pins, &mut timer),
-    }
-    .ok()?;
-    let (device, data) = bytes.disable().free();
-    let mut bus = Spi::<_, _, _, 16>::new(device, data).init(
-        &mut pac.RESETS,
-        frequency,
-        fastest(controller),
-        MODE_0,
-    );
-
-    let bands = singleton!(: [[u16; PIXELS]; BANDS] = [[0; PIXELS]; BANDS])?;
-    let bands = bands
-        .iter_mut()
-        .map(|band| band.get_mut(..(width * ROWS) as usize));
-    let free: Vec<Band, BANDS> = bands.collect::<Option<_>>()?;
-    panel.clear(&mut bus, free.first()?).ok()?;
-    let Ok(()) = gpio.gpio21.into_push_pull_output().set_high();
-
     let mut channel = pac.DMA.split(&mut pac.RESETS).ch0;
     channel.enable_irq0();
+    let words = words_of(module, module.size().0 * rows_for(module));
+    let bands = singleton!(: [[u16; PIXELS]; BANDS] = [[0; PIXELS]; BANDS])?;
+    let bands = bands.iter_mut().map(|band| band.get_mut(..words));
+    let bands: Vec<Band, BANDS> = bands.collect::<Option<_>>()?;
+    let set_up = SetUp {
+        module,
+        frequency: clocks.peripheral_clock.freq(),
+        resets: &mut pac.RESETS,
+        timer: &mut timer,
+        channel,
+        black: bands.first()?,
+    };
+    let sender = match module.block() {
+        0 => Sender::Spi0(set_up.way(pac.SPI0)?),
+        #[cfg(feature = "model")]
+        1 => Sender::Spi1(set_up.way(pac.SPI1)?),
+        _ => return None,
+    };
     Some(Board {
         timer,
         psm: pac.PSM,
         ppb: pac.PPB,
         fifo: sio.fifo,
-        sender: Sender {
-            panel,
-            state: Some(State::Idle(channel, bus)),
-            next: 0,
-        },
-        bands: free,
+        sender,
+        bands,
     })
+}
+
+/// A pin with a number.
+fn pin(num: u32) -> Option<Wire<DynFunction>> {
+    let id = DynPinId {
+        bank: DynBankId::Bank0,
+        num: num.try_into().ok()?,
+    };
+    // SAFETY: a module's pins have different numbers. Those of the bus have two owners for a while, of which one waits.
+    #[allow(unsafe_code)]
+    (num <= 28).then(|| unsafe { new_pin(id) })
+}
+
+/// A pin that the program sets, which is high at first; `None` if nothing is wired to it.
+fn output(num: u32) -> Option<Output> {
+    let mut output = pin(num)?.try_into_function().ok()?;
+    let Ok(()) = OutputPin::set_high(&mut output);
+    Some(output)
+}
+
+/// What is needed to set up the display.
+struct SetUp<'a> {
+    module: &'a Module,
+    frequency: HertzU32,
+    resets: &'a mut pac::RESETS,
+    timer: &'a mut Timer,
+    channel: Channel<CH0>,
+    black: &'a [u16],
+}
+
+impl SetUp<'_> {
+    /// Sets up a bus and the display.
+    fn way<D: SpiDevice>(self, device: D) -> Option<Way<D>> {
+        let (module, pins) = (self.module, self.module.pins);
+        let is_mode_3 = module.spi_mode == 3;
+        let clock = pin(pins.clock)?.try_into_function().ok()?;
+        let data = pin(pins.data)?.try_into_function().ok()?;
+        let clock = ValidatedPinSck::validate(clock, &device).ok()?;
+        let data = ValidatedPinTx::validate(data, &device).ok()?;
+        // A module without CS counts each edge of the clock once its reset ends, and works in mode 3 only. So from here
+        // on, the bus keeps its mode and its words of 16 bits, between which there are half as many gaps as between
+        // bytes. The chip divides its clock by an even number: the Pico's bus runs at 62.5 or 31.25 MHz, and slower.
+        let mut bus = Spi::new(device, (data, clock)).init(
+            self.resets,
+            self.frequency,
+            HertzU32::Hz(module.clock_hz),
+            if is_mode_3 { MODE_3 } else { MODE_0 },
+        );
+        // The driver sends bytes. Until it is done, the pins of the bus belong to a bus of bytes.
+        let mut bytes = SlowBus {
+            clock: pin(pins.clock)?.try_into_function().ok()?,
+            data: pin(pins.data)?.try_into_function().ok()?,
+            rests_high: is_mode_3,
+        };
+        bytes.rest();
+        let outputs = Pins {
+            cs: output(pins.cs),
+            dc: output(pins.dc)?,
+            reset: output(pins.reset),
+        };
+        let mut panel = Panel::new(module, &mut bytes, outputs, self.timer).ok()?;
+        // Both buses rest at the same level, so there is no edge.
+        bytes.clock.try_into_function::<FunctionSpi>().ok()?;
+        bytes.data.try_into_function::<FunctionSpi>().ok()?;
+
+        panel.clear(&mut bus, self.black).ok()?;
+        if pins.light != NO_PIN {
+            let mut light: Output = pin(pins.light)?.try_into_function().ok()?;
+            let Ok(()) = light.set_state((module.light_low == 0).into());
+        }
+        Some(Way {
+            panel,
+            state: Some(State::Idle(self.channel, bus)),
+            next: 0,
+            bands_of_frame: module.size().1 / rows_for(module),
+        })
+    }
 }

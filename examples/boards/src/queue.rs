@@ -10,12 +10,14 @@ use cortex_m::peripheral::NVIC;
 use critical_section::Mutex;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
+use flash_model::Module;
 use hal::pac::{self, interrupt};
 use hal::sio;
 use heapless::{Deque, Vec};
 
-use crate::panel::Controller;
-use crate::pico::{self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, ROWS, Sender, Timer, WIDTH, hal};
+use crate::pico::{
+    self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, MODULE, ROWS, Sender, Timer, WIDTH, hal,
+};
 use crate::scene::{Memory, Scene};
 
 /// The bands, and their way to the display.
@@ -25,6 +27,7 @@ struct Queue {
     free: Vec<Band, BANDS>,
     /// The frame and the number in it of the band that comes into the queue next.
     next: (u32, u32),
+    bands_of_frame: u32,
     /// The frames that were begun, and the time of the last.
     begun: u32,
     now_ms: u64,
@@ -130,7 +133,7 @@ pub fn send(at: (u32, u32), band: Band) {
             return None;
         }
         let (frame, number) = at;
-        queue.next = if number + 1 < BANDS_OF_FRAME {
+        queue.next = if number + 1 < queue.bands_of_frame {
             (frame, number + 1)
         } else {
             (frame.wrapping_add(1), 0)
@@ -176,18 +179,19 @@ pub struct Rest {
 
 /// Sets up the board, with an ST7789, and the queue. May be called once.
 pub fn start() -> Option<Rest> {
-    start_with(Controller::St7789, WIDTH)
+    start_with(&MODULE)
 }
 
-/// The same for a display with another controller or fewer columns.
+/// The same for a module.
 #[inline] // leaves out the code for other controllers
-pub fn start_with(controller: Controller, width: u32) -> Option<Rest> {
-    let board = pico::set_up_with(pac::Peripherals::take()?, controller, width)?;
+pub fn start_with(module: &Module) -> Option<Rest> {
+    let board = pico::set_up(pac::Peripherals::take()?, module)?;
     let queue = Queue {
         sender: board.sender,
         finished: Deque::new(),
         free: board.bands,
         next: (0, 0),
+        bands_of_frame: module.size().1 / pico::rows_for(module),
         begun: 0,
         now_ms: 0,
     };

@@ -8,15 +8,19 @@ mod wires;
 #[path = "../../cookbook/src/bus/mipi.rs"]
 mod display;
 
+use std::cell::RefCell;
 use std::convert::Infallible;
 
 use boards::panel::{Panel, Pins, Word};
+use boards::slow_bus::SlowBus;
 use boards::{ball, floor};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, ToBytes};
+use embedded_hal::digital::{OutputPin, PinState};
 use embedded_hal::spi::SpiBus;
 use fixel::canvas::Words;
 use fixel::prelude::*;
+use flash_model::Module;
 
 use wires::{Pin, Wires};
 
@@ -25,34 +29,36 @@ struct Board {
     size: (u32, u32),
     rows: u32,
     crc: u32,
-    /// The display's glass has blue where its controller has red.
-    is_blue_first: bool,
+    module: Module,
 }
 
 const PICO: Board = Board {
     size: (240, 240),
     rows: 40,
     crc: 0x219f_59d9,
-    is_blue_first: false,
+    module: Module::ST7789,
 };
 const STM32F4: Board = Board {
     size: (320, 240),
     rows: 40,
     crc: 0x31c2_e00e,
-    is_blue_first: true,
+    module: Module::ILI9341,
 };
 const ESP32C3: Board = Board {
     size: (240, 240),
     rows: 60,
     crc: PICO.crc,
-    is_blue_first: false,
+    module: Module::ST7789,
 };
 /// The ball on a Pico.
 const BALL: Board = Board {
     size: (320, 240),
     rows: 30,
     crc: 0xdf84_69b2,
-    is_blue_first: false,
+    module: Module {
+        rotation: 1,
+        ..Module::ST7789_TALL
+    },
 };
 
 /// The bytes of a frame, drawn in bands of `$rows` rows.
@@ -121,9 +127,9 @@ fn the_ball_fits_into_its_memory() {
 
 fn pins(wires: &Wires) -> Pins<Pin, Pin, Pin> {
     Pins {
-        cs: wires.select(),
+        cs: Some(wires.select()),
         dc: wires.data(),
-        reset: wires.reset(),
+        reset: Some(wires.reset()),
     }
 }
 
@@ -143,8 +149,9 @@ fn show<W: Word>(
 ) where
     Wires: SpiBus<W, Error = Infallible>,
 {
-    let mut display = display::Panel::new(240, 320);
-    if board.is_blue_first {
+    let (columns, rows) = (board.module.memory[0] as u16, board.module.memory[1] as u16);
+    let mut display = display::Panel::new(columns, rows);
+    if board.module.blue_first == 1 {
         display = display.with_blue_first();
     }
     panel.clear(&mut bus, &words(&[0; 1000])).unwrap();
@@ -153,10 +160,19 @@ fn show<W: Word>(
         bus.write(&words(&frame(board.size, now_ms))).unwrap();
     }
     display.read(&bus.commands());
-    let shown: Vec<u8> = display
-        .picture(board.size)
-        .iter()
-        .flat_map(|&pixel| (pixel as u16).to_be_bytes())
+    // All of the memory was cleared.
+    let stride = board.module.memory_size().0;
+    let (left, top) = board.module.origin();
+    let pixels = (0..).zip(display.pixels());
+    let shown: Vec<u8> = pixels
+        .map(|(at, pixel)| (at % stride, at / stride, pixel.expect("never written")))
+        .filter(|(x, y, pixel)| {
+            let (x, y) = (x.wrapping_sub(left), y.wrapping_sub(top));
+            let is_seen = x < board.size.0 && y < board.size.1;
+            assert!(is_seen || *pixel == 0, "not black beside the picture");
+            is_seen
+        })
+        .flat_map(|(.., pixel)| (pixel as u16).to_be_bytes())
         .collect();
     assert!(
         shown == frame(board.size, 1000),
@@ -168,7 +184,7 @@ fn show<W: Word>(
 fn an_st7789_shows_the_bands() {
     let panel = |board: &Board, wires: &Wires| {
         let mut bus = wires.clone();
-        Panel::st7789(board.size, &mut bus, pins(wires), &mut wires.clone()).unwrap()
+        Panel::new(&board.module, &mut bus, pins(wires), &mut wires.clone()).unwrap()
     };
     let wires = Wires::default();
     show(
@@ -187,7 +203,7 @@ fn an_st7789_shows_the_bands() {
 fn an_ili9341_shows_the_bands() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let panel = Panel::new(&Module::ILI9341, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     show(&STM32F4, bus, panel, pairs);
 }
 
@@ -196,7 +212,8 @@ fn an_ili9341_shows_the_bands() {
 fn an_st7789_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let mut panel = Panel::st7789(PICO.size, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let mut panel =
+        Panel::new(&Module::ST7789, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     panel.start_frame::<u8>(&mut bus).unwrap();
     SpiBus::<u8>::write(&mut bus, &[0x12, 0x34, 0x56, 0x78]).unwrap();
     panel.start_frame::<u16>(&mut bus).unwrap();
@@ -229,7 +246,8 @@ fn an_st7789_receives_these_bytes() {
 fn an_ili9341_receives_these_bytes() {
     let wires = Wires::default();
     let mut bus = wires.clone();
-    let mut panel = Panel::ili9341(&mut bus, pins(&wires), &mut wires.clone()).unwrap();
+    let mut panel =
+        Panel::new(&Module::ILI9341, &mut bus, pins(&wires), &mut wires.clone()).unwrap();
     panel.start_frame::<u8>(&mut bus).unwrap();
     let lines = [
         "reset low",
@@ -250,6 +268,68 @@ fn an_ili9341_receives_these_bytes() {
         "2c",
     ];
     assert_eq!(bus.log(), lines.join("\n"));
+}
+
+/// The levels of a clock and of a data line, and the bits at each rising edge of the clock.
+#[derive(Default)]
+struct Lines {
+    clock: bool,
+    data: bool,
+    bits: Vec<bool>,
+}
+
+struct Line<'a>(&'a RefCell<Lines>, bool);
+
+impl embedded_hal::digital::ErrorType for Line<'_> {
+    type Error = Infallible;
+}
+
+impl OutputPin for Line<'_> {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        self.set_state(PinState::Low)
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        self.set_state(PinState::High)
+    }
+
+    fn set_state(&mut self, state: PinState) -> Result<(), Infallible> {
+        let lines = &mut *self.0.borrow_mut();
+        let is_high = state == PinState::High;
+        if !self.1 {
+            lines.data = is_high;
+        } else if lines.clock != is_high {
+            lines.clock = is_high;
+            if is_high {
+                lines.bits.push(lines.data);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// In both modes, each bit comes with one rising edge, and the clock rests at the mode's level.
+#[test]
+fn a_slow_bus_sends_each_bit_once() {
+    for rests_high in [false, true] {
+        let lines = RefCell::default();
+        let mut bus = SlowBus {
+            clock: Line(&lines, true),
+            data: Line(&lines, false),
+            rests_high,
+        };
+        bus.rest();
+        lines.borrow_mut().bits.clear();
+        for bytes in [&[0x2c, 0xff][..], &[0x00], &[0xa5]] {
+            bus.write(bytes).unwrap();
+            let bits = bytes
+                .iter()
+                .flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1 == 1));
+            assert_eq!(lines.borrow().bits, bits.collect::<Vec<_>>());
+            assert_eq!(lines.borrow().clock, rests_high);
+            lines.borrow_mut().bits.clear();
+        }
+    }
 }
 
 /// The guide quotes lines of these programs: the programs must contain them.
@@ -302,9 +382,12 @@ mod model {
 
     /// The cabin for a panel of 320x240 pixels.
     fn cabin() -> Vec<u32> {
+        cabin_for(Module::ILI9341)
+    }
+
+    fn cabin_for(module: Module) -> Vec<u32> {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/cabin.obj");
-        let panel = flash_model::Panel::Ili9341;
-        write(path, &Disk, None, Board::Pico, panel, &mut Vec::new()).unwrap()
+        write(path, &Disk, None, Board::Pico, module, &mut Vec::new()).unwrap()
     }
 
     /// The frame at a time, in bands.
@@ -336,13 +419,13 @@ mod model {
         fs::write(folder.join("a.tga"), tga).unwrap();
         let path = folder.join("a.obj");
         fs::write(&path, format!("mtllib a.mtl\n{obj}")).unwrap();
-        let (panel, mut notes) = (flash_model::Panel::St7789, Vec::new());
+        let (module, mut notes) = (Module::ST7789, Vec::new());
         let words = write(
             path.to_str().unwrap(),
             &Disk,
             None,
             Board::Pico,
-            panel,
+            module,
             &mut notes,
         );
         fs::remove_dir_all(&folder).unwrap();
@@ -416,8 +499,8 @@ mod model {
             let start = FIGURES.split(&format!("(\"{name}\", \"st7789\", ")).nth(1);
             let cycles = start.unwrap().split(',').next().unwrap();
             let wanted = 125e6 / cycles.parse::<f64>().unwrap();
-            let (path, panel) = (format!("{folder}/{file}"), flash_model::Panel::St7789);
-            let words = write(&path, &Disk, None, Board::Pico, panel, &mut Vec::new());
+            let (path, module) = (format!("{folder}/{file}"), Module::ST7789);
+            let words = write(&path, &Disk, None, Board::Pico, module, &mut Vec::new());
             let words = words.unwrap();
             let model = Model::read(&words).unwrap();
             let [pico, pico2] =
@@ -444,19 +527,38 @@ mod model {
 
     #[test]
     fn a_model_is_in_the_middle_of_its_panel_at_all_times() {
-        let words = cabin();
-        for now_ms in (0..10_000).step_by(500) {
-            let frame = bands(&words, 240, now_ms);
-            let sky = frame[0];
-            let is_drawn = |x: usize, y: usize| frame[320 * y + x] != sky;
-            assert!(is_drawn(160, 120), "at {now_ms}");
-            // It keeps within the ball, which is seen as a disk in the middle square.
-            for (x, y) in (0..240).flat_map(|y| (0..320).map(move |x| (x, y))) {
-                let from_middle = (2 * x as i32 - 319).pow(2) + (2 * y as i32 - 239).pow(2);
-                // A pixel's middle lies within half a pixel.
-                let is_outside = from_middle > 241 * 241;
-                assert!(!(is_outside && is_drawn(x, y)), "({x}, {y}) at {now_ms}");
+        let narrow = Module::parse("st7789-135x240").unwrap();
+        for module in [Module::ILI9341, narrow] {
+            let (words, (width, height)) = (cabin_for(module), module.size());
+            for now_ms in (0..10_000).step_by(500) {
+                let frame = bands(&words, height, now_ms);
+                let sky = frame[0];
+                let is_drawn = |x: u32, y: u32| frame[(width * y + x) as usize] != sky;
+                assert!(is_drawn(width / 2, height / 2), "at {now_ms}");
+                // It keeps within the ball, which is seen as a disk in the middle square.
+                for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+                    let from_middle = |at: u32, size: u32| (2 * at + 1).abs_diff(size).pow(2);
+                    let distance = from_middle(x, width) + from_middle(y, height);
+                    // A pixel's middle lies within half a pixel.
+                    let is_outside = distance > (width.min(height) + 1).pow(2);
+                    assert!(!(is_outside && is_drawn(x, y)), "({x}, {y}) at {now_ms}");
+                }
             }
+        }
+    }
+
+    /// A pixel of 16 bits becomes three bytes, in which each level of five bits is repeated.
+    #[test]
+    fn pixels_become_wide() {
+        let mut words = [0xf800, 0x07e0, 0x001f, 0x8410, 0x1234, 0xffff, 0, 0, 0];
+        let before = words;
+        boards::panel::widen(&mut words);
+        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_be_bytes()).collect();
+        for (pixel, bytes) in before.iter().zip(bytes.as_chunks::<3>().0) {
+            let [red, green, blue] = bytes.map(|byte| u16::from(byte >> 2));
+            assert_eq!((red >> 1) << 11 | green << 5 | blue >> 1, *pixel);
+            assert!([red, blue].iter().all(|level| level & 1 == level >> 5));
+            assert!(bytes.iter().all(|byte| byte & 3 == 0));
         }
     }
 

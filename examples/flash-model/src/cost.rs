@@ -6,8 +6,8 @@ use fixel::prelude::*;
 use crate::{Board, Model};
 
 /// The cycles that a Pico takes, fitted to the cycles of emulated Picos: for a frame; for the draw calls of a part, for a
-/// triangle and for the light of a vertex, in all bands of the frame; for a pixel; and in addition for a texel, and for the triangles and pixels of
-/// surfaces that are [`Painted`](crate::Painted).
+/// triangle and for the light of a vertex, in all bands of the frame; for a pixel; and in addition for a texel, and for
+/// the triangles and pixels of surfaces that are [`Painted`](crate::Painted).
 const FRAME: f64 = 1.58e6;
 const CALL: f64 = 1.5e5;
 const TRIANGLE: f64 = 1270.0;
@@ -15,10 +15,9 @@ const VERTEX: f64 = 2130.0;
 const PIXEL: f64 = 92.0;
 const TEXEL: f64 = 108.0;
 const PAINT: [f64; 2] = [5240.0, 71.0];
-/// The cycles in which the bus sends a pixel: 16 bits at half of the clock.
-const BUS: f64 = 32.0;
-/// The cycles of a Pico's processors in a second.
+/// The cycles of a Pico's processors in a second, and of a Pico 2's.
 const CLOCK: f64 = 125e6;
+const CLOCK_2: f64 = 150e6;
 /// How many times faster a Pico 2 is: it takes 0.39 instructions for a cycle of a Pico, about 1.3 cycles of its own for an
 /// instruction, and has 150 million cycles in a second.
 const PICO2: f64 = 2.4;
@@ -33,7 +32,7 @@ const STEP_MS: u64 = 2500;
 ///
 /// None: the sizes are constant.
 pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
-    let (width, height) = model.panel().size();
+    let (width, height) = model.module().size();
     let mut pixels = vec![BinaryColor::Off; (width * height) as usize];
     let mut depths = vec![0_u16; pixels.len()];
     let mut covered = 0;
@@ -61,12 +60,15 @@ pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
         cycles += share * sides * (faces * (TRIANGLE + triangle) + lit as f64 * VERTEX);
         cycles += sides * CALL + share * covered * (PIXEL + texel + pixel);
     }
-    let speed = match board {
-        Board::Pico => 1.0,
-        Board::Pico2 => PICO2,
+    let (clock, speed) = match board {
+        Board::Pico => (CLOCK, 1.0),
+        Board::Pico2 => (CLOCK_2, PICO2),
     };
-    let bus = f64::from(width * height) * BUS;
-    Ok(CLOCK / (cycles / speed).max(bus))
+    // The bus has the processor's clock, divided by an even number.
+    let module = model.module();
+    let divider = 2.0 * (clock / 2.0 / f64::from(module.clock_hz)).ceil();
+    let bits = f64::from(8 * module.bytes_of_pixel() * width * height);
+    Ok(1.0 / (cycles / speed / CLOCK).max(bits * divider / clock))
 }
 
 /// How often the light of a vertex is computed. Drawing keeps the light of a vertex until it meets the vertex with another

@@ -5,7 +5,7 @@ use core::ops::Range;
 use bytemuck::{AnyBitPattern, NoUninit, Pod, Zeroable};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 
-use crate::Problem;
+use crate::{Module, Problem};
 
 /// The address of the model's first byte, 256 KiB after the first byte of flash. The firmware ends below this address:
 /// examples/boards/build.rs tells the linker where the model begins.
@@ -14,7 +14,7 @@ pub const ADDRESS: u32 = 0x1004_0000;
 /// The first word: "fixm".
 pub(crate) const MAGIC: u32 = u32::from_le_bytes(*b"fixm");
 /// The version of the format.
-pub(crate) const VERSION: u32 = 3;
+pub(crate) const VERSION: u32 = 4;
 /// The number of words at the start of a model that the checksum leaves out. The last of these words is the checksum.
 const UNCHECKED: usize = 4;
 /// In place of a texture's index, this number says that a part has no texture.
@@ -49,8 +49,8 @@ pub struct Header {
     pub length: u32,
     /// The CRC-32 of all words of the model after this word.
     pub checksum: u32,
-    /// The number of the [`Panel`] that shows the model.
-    pub panel: u32,
+    /// The module that shows the model.
+    pub module: Module,
     /// The number of fraction bits of a position's coordinates.
     pub fraction: u32,
     /// The least u and the least v of the model, then the greatest u and the greatest v, in units of 2^-20.
@@ -109,46 +109,18 @@ impl Board {
     }
 }
 
-/// A panel that the firmware knows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Panel {
-    /// 240x240 pixels.
-    #[default]
-    St7789 = 0,
-    /// 320x240 pixels.
-    Ili9341 = 1,
-}
-
-impl Panel {
-    /// Returns the panel with this number, or `None` if no panel has this number.
-    #[must_use]
-    pub const fn of(number: u32) -> Option<Self> {
-        match number {
-            0 => Some(Self::St7789),
-            1 => Some(Self::Ili9341),
-            _ => None,
-        }
-    }
-
-    /// Returns the panel that the model's header names, even if the rest of the model is damaged. If the words do not
-    /// begin with a header, or the header names no known panel, returns the ST7789.
+impl Module {
+    /// Returns the module that the model's header names, even if the rest of the model is damaged. If the words do not
+    /// begin with a header, or no program can use the module, returns the ST7789.
     #[must_use]
     pub fn wanted(words: &[u32]) -> Self {
         let header = words.first_chunk::<HEADER>();
         header
             .map(bytemuck::must_cast_ref::<_, Header>)
             .filter(|header| header.magic == MAGIC && header.version == VERSION)
-            .and_then(|header| Self::of(header.panel))
+            .map(|header| header.module)
+            .filter(|module| module.check().is_ok())
             .unwrap_or_default()
-    }
-
-    /// The number of the panel's columns, and of its rows.
-    #[must_use]
-    pub const fn size(self) -> (u32, u32) {
-        match self {
-            Self::St7789 => (240, 240),
-            Self::Ili9341 => (320, 240),
-        }
     }
 }
 

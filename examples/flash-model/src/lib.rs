@@ -1,4 +1,4 @@
-//! A model in flash: a mesh, its parts with their colors and textures, and the panel that shows it.
+//! A model in flash: a mesh, its parts with their colors and textures, and the module that shows it.
 //!
 //! The firmware `pico_model` of examples/boards borrows the whole model from flash. The playground and the tests write
 //! models.
@@ -25,6 +25,7 @@ mod cost;
 #[cfg(feature = "write")]
 mod count;
 mod header;
+mod module;
 mod painted;
 mod problem;
 #[cfg(feature = "write")]
@@ -38,19 +39,21 @@ mod write;
 use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use fixel::Window;
 use fixel::mesh::flash::{Small, UvGrid};
 use fixel::prelude::*;
 
 #[cfg(feature = "write")]
 pub use cost::rate;
-pub use header::{ADDRESS, Board, HOLE, Header, Panel, PartRecord, TextureRecord};
+pub use header::{ADDRESS, Board, HOLE, Header, PartRecord, TextureRecord};
+pub use module::{Controller, Module, ModuleProblem, NO_PIN, Wires};
 pub use painted::{Colors, Painted};
 pub use problem::Problem;
 pub use skin::Skin;
 #[cfg(feature = "write")]
 pub use uf2::{board, region, uf2};
 #[cfg(feature = "write")]
-pub use write::write;
+pub use write::{with_module, write};
 
 use header::Lists;
 
@@ -60,8 +63,16 @@ use header::Lists;
 ///
 /// None: the numbers are constant.
 pub fn view(size: (u32, u32)) -> Result<Mvp, Error> {
-    // The model lies in the ball of radius 1, which touches the borders of a square picture: 2.924 sin 20° = 1.
-    let projection = Projection::perspective(deg!(40), size, fx!(1.9), fx!(3.95))?;
+    // The model lies in the ball of radius 1, which touches the nearer borders of the picture: 2.924 sin 20° = 1.
+    let (near, far) = (fx!(1.9), fx!(3.95));
+    let projection = if size.0 < size.1 {
+        let width = fx!(1.38309); // 2 · 1.9 tan 20°
+        let height = width.to_bits() * size.1 as i32 / size.0 as i32;
+        let window = Window::centered(width, Scalar::from_bits(height));
+        Projection::frustum(window, near, far)?
+    } else {
+        Projection::perspective(deg!(40), size, near, far)?
+    };
     let camera = Camera::look_at(vec3!(0, 1, 2.748), Vec3::ZERO, Vec3::Y)?;
     Ok(projection * camera)
 }
@@ -75,7 +86,7 @@ pub fn turn(now_ms: u64) -> Transform {
 /// A model that borrows its lists from flash.
 #[derive(Clone, Copy, Debug)]
 pub struct Model<'a> {
-    panel: Panel,
+    module: Module,
     mesh: Mesh<'a>,
     normals: Small<'a, Vec3>,
     normal_faces: &'a [[u16; 3]],
@@ -154,6 +165,7 @@ impl<'a> Model<'a> {
         let texels = lists.arrays::<u16, 1>(header.texels)?;
         lists.end()?;
 
+        header.module.check().map_err(Problem::Module)?;
         let mesh =
             Mesh::quantized(positions, header.fraction, faces).map_err(|_| Problem::Lists)?;
         let counts = (positions.len(), faces.len());
@@ -162,7 +174,7 @@ impl<'a> Model<'a> {
         check(counts, colors.values.len(), colors.faces)?;
         let corners = header.uv_corners.map(|[u, v]| Vec2::from_bits([u, v]));
         let model = Self {
-            panel: Panel::of(header.panel).ok_or(Problem::Lists)?,
+            module: header.module,
             mesh,
             normals: Small::normals(normals),
             normal_faces,
@@ -179,10 +191,10 @@ impl<'a> Model<'a> {
         Ok(model)
     }
 
-    /// The panel that shows the model.
+    /// The module that shows the model.
     #[must_use]
-    pub const fn panel(&self) -> Panel {
-        self.panel
+    pub const fn module(&self) -> Module {
+        self.module
     }
 
     /// The mesh of the whole model.

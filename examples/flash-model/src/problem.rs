@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::ModuleProblem;
 use crate::header::VERSION;
 
 /// Why a model cannot be read. A message has at most three lines of 36 characters, so that it fits on a panel.
@@ -21,6 +22,8 @@ pub enum Problem {
         /// The checksum in the header.
         wanted: u32,
     },
+    /// No program can use the module.
+    Module(ModuleProblem),
     /// The lists do not fit each other, although the checksum is right.
     Lists,
 }
@@ -40,6 +43,8 @@ impl fmt::Display for Problem {
                 f,
                 "The model is damaged.\nIts checksum is {is:08x}.\nIt should be {wanted:08x}."
             ),
+            // The problem itself is too long for a line. The command that writes a model prints it.
+            Self::Module(_) => f.write_str("The display's module has\nwrong values."),
             Self::Lists => f.write_str("The model's lists do not fit\neach other."),
         }
     }

@@ -12,7 +12,7 @@ use fixel_assets::vector::{length, sub};
 use fixel_assets::{Alpha, Files, Format, INVISIBLE, Material, Model, Options, Picture};
 
 use crate::header::{self, HEADER, HOLES, Header, MAGIC, NO_TEXTURE, TWO_SIDED, UNLIT, VERSION};
-use crate::{Board, HOLE, Panel, PartRecord, TextureRecord, count, sides};
+use crate::{Board, HOLE, Module, PartRecord, Problem, TextureRecord, count, sides};
 
 /// The most texels along a side of a texture. This is the least power of two that is not below the 240 rows of a panel.
 const SIDE: u32 = 256;
@@ -26,7 +26,7 @@ const HALF: u8 = 128;
 /// bits.
 const RADIUS: f64 = 1.0 - 1.0 / 16384.0;
 
-/// Reads the model `name`, and returns its words for a board and its panel. Appends to `notes` what was changed or left
+/// Reads the model `name`, and returns its words for a board and a module. Appends to `notes` what was changed or left
 /// out. If no picture of the model can be used, all parts get the picture `spare`, if there is one.
 ///
 /// # Errors
@@ -37,7 +37,7 @@ pub fn write(
     files: &dyn Files,
     spare: Option<&Picture>,
     board: Board,
-    panel: Panel,
+    module: Module,
     notes: &mut Vec<String>,
 ) -> Result<Vec<u32>, String> {
     let path = Path::new(name);
@@ -108,7 +108,7 @@ pub fn write(
         let header = Header {
             magic: MAGIC,
             version: VERSION,
-            panel: panel as u32,
+            module,
             fraction,
             uv_corners: corners,
             positions: list(&mut words, &positions),
@@ -144,6 +144,18 @@ pub fn write(
         }
         side /= 2;
     }
+}
+
+/// Returns the words of a model, for another module.
+///
+/// # Errors
+///
+/// The words are not a model.
+pub fn with_module(words: &[u32], module: Module) -> Result<Vec<u32>, Problem> {
+    let (header, lists) = header::read(words)?;
+    let mut words = vec![0; HEADER];
+    words.extend(lists);
+    Ok(sealed(words, Header { module, ..*header }))
 }
 
 /// Completes the header with the length and the checksum, and writes the header into the first words.

@@ -10,7 +10,7 @@ use fixel::prelude::*;
 use fixel::shade::Precise;
 use fixel::texture::Sampler;
 use fixel_assets::{Files, Picture};
-use flash_model::{Board, HOLE, Model, Panel, Part, Problem, write};
+use flash_model::{Board, HOLE, Model, Module, ModuleProblem, Part, Problem, write};
 
 const BRICK: &[u8] = include_bytes!("../../../src/texture/samples/brick.tga");
 /// The house of tests/models, with a picture for its bricks.
@@ -49,7 +49,7 @@ fn written(
 ) -> Result<(Vec<u32>, Vec<String>), String> {
     let mut notes = Vec::new();
     let (name, files) = (files[0].0, Memory(files));
-    let words = write(name, &files, spare, board, Panel::Ili9341, &mut notes)?;
+    let words = write(name, &files, spare, board, Module::ILI9341, &mut notes)?;
     Ok((words, notes))
 }
 
@@ -212,9 +212,10 @@ fn png(width: u32, height: u32, pixels: &[u8]) -> Vec<u8> {
 /// Word numbers of the header.
 const LENGTH: usize = 2;
 const CHECKSUM: usize = 3;
-const PANEL: usize = 4;
-const COUNTS: usize = 10;
-const HEADER: usize = 21;
+const MODULE: usize = 4;
+const FRACTION: usize = 24;
+const COUNTS: usize = 29;
+const HEADER: usize = 40;
 
 /// The words with a right length and checksum.
 fn sealed(mut words: Vec<u32>) -> Vec<u32> {
@@ -231,8 +232,8 @@ fn sealed(mut words: Vec<u32>) -> Vec<u32> {
 fn a_model_comes_out_as_it_went_in() {
     let words = house();
     let model = Model::read(&words).unwrap();
-    assert_eq!(model.panel(), Panel::Ili9341);
-    assert_eq!(Panel::wanted(&words), Panel::Ili9341);
+    assert_eq!(model.module(), Module::ILI9341);
+    assert_eq!(Module::wanted(&words), Module::ILI9341);
 
     // The box around its faces reaches from (-1, 0, -1) to (1, 2, 1), so its middle is (0, 1, 0), and the corners of
     // the walls' feet are farthest from there.
@@ -409,8 +410,11 @@ fn lists_that_do_not_fit_each_other_are_refused() {
         assert_eq!(Model::read(&sealed(words)).err(), Some(Problem::Lists));
     };
     assert!(Model::read(&sealed(house())).is_ok());
-    refused(&|words| words[PANEL] = 2);
-    refused(&|words| words[PANEL + 1] = 17); // fraction bits
+    refused(&|words| words[FRACTION] = 17);
+    let mut words = house();
+    words[MODULE] = 5; // an unknown controller
+    let problem = Model::read(&sealed(words)).err();
+    assert_eq!(problem, Some(Problem::Module(ModuleProblem::Controller)));
     refused(&|words| words.push(0));
     for list in COUNTS..HEADER {
         for count in [0, 1, 999, u32::MAX] {

@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use fixel_assets::Files;
-use flash_model::{Board, Panel, write};
+use flash_model::{Board, Module, write};
 
 struct Memory(HashMap<PathBuf, Vec<u8>>);
 
@@ -30,7 +30,7 @@ fn the_writer_says_what_the_other_readers_say() {
         let file = |(name, bytes): &(&str, Vec<u8>)| (PathBuf::from(name), bytes.clone());
         let files = Memory(kind.files.iter().map(file).collect());
         let mut notes = Vec::new();
-        let written = write(name, &files, None, Board::Pico, Panel::Ili9341, &mut notes);
+        let written = write(name, &files, None, Board::Pico, Module::ILI9341, &mut notes);
         let said = written.map(|_| notes);
         let wanted = kind.says.map_err(|why| format!("model {name}: {why}"));
         assert_eq!(said, wanted, "{:?}", kind.files);

@@ -27,7 +27,8 @@ async function make(board) {
   tell("Making the file …");
   const program = await fetched(board);
   const files = $("own").selected ? own : await Promise.all(names().map(fetchedFile));
-  const { uf2, name, notes } = await flash(program, files, Number($("panel").value));
+  const panel = 4 * Number($("panel").value) + Number($("turn").value);
+  const { uf2, name, notes } = await flash(program, files, panel);
   return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
 }
 

@@ -51,7 +51,10 @@ export async function read(files) {
   };
 }
 
-/** Makes a UF2 of a board's program and the files' model, for the panel of a number. Returns its bytes, and as above. */
+/**
+ * Makes a UF2 of a board's program and the files' model, for a panel: four times the module's number, and right angles.
+ * Returns its bytes, and as above.
+ */
 export async function flash(program, files, panel) {
   const { parts, ...rest } = await ask([new File([program], "program"), ...files], "flash", panel);
   return { uf2: parts[0], ...rest };

@@ -430,9 +430,9 @@ test("a file for a board holds its program and the model", async () => {
     assert.equal(flash.toString("latin1", BEHIND, BEHIND + 4), "fixm");
     // The checksum is that of everything behind it. src/lib.rs of the package flash-model has the format.
     assert.equal(word(3), crc32(flash.subarray(BEHIND + 16, BEHIND + word(2))));
-    assert.deepEqual([word(4), word(11)], [panel, faces]);
-    const lists = [6, 6, 3, 6, 4, 6, 3, 6, 16].map((size, list) => Math.ceil((word(10 + list) * size) / 4));
-    if (width) assert.equal(word(21 + lists.reduce((sum, words) => sum + words)), width);
+    assert.deepEqual([word(4), word(30)], [panel, faces]);
+    const lists = [6, 6, 3, 6, 4, 6, 3, 6, 16].map((size, list) => Math.ceil((word(29 + list) * size) / 4));
+    if (width) assert.equal(word(40 + lists.reduce((sum, words) => sum + words)), width);
     // The emulated boards of .ci/boards run files from there.
     assert.ok(execFileSync(MODEL, [elf, ...args], { maxBuffer: 1 << 24 }).equals(file), `${name} is not the host's`);
   }

@@ -12,13 +12,14 @@
 #![no_std]
 #![no_main]
 
-use boards::panel::{Panel, Pins};
+use boards::panel::{Module, Panel, Pins};
 use boards::scene::{Memory, Scene};
 use embedded_graphics::pixelcolor::{Rgb565, raw::BigEndian};
 use esp_hal::clock::CpuClock;
 use esp_hal::delay::Delay;
 use esp_hal::dma_tx_buffer;
 use esp_hal::gpio::{Level, Output, OutputConfig};
+use esp_hal::spi::Mode;
 use esp_hal::spi::master::{Config, Spi};
 use esp_hal::time::{Instant, Rate};
 use fixel::canvas::Canvas;
@@ -37,19 +38,21 @@ esp_bootloader_esp_idf::esp_app_desc!();
 fn main() -> ! {
     let chip = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max()));
 
-    // SPI mode 0 is the default.
-    let config = Config::default().with_frequency(Rate::from_mhz(40));
+    // Displays without CS need mode 3.
+    let config = Config::default()
+        .with_frequency(Rate::from_mhz(40))
+        .with_mode(Mode::_3);
     let mut spi = Spi::new(chip.SPI2, config)
         .unwrap()
         .with_sck(chip.GPIO6)
         .with_mosi(chip.GPIO7)
         .with_dma(chip.DMA_CH0);
-    let pins = Pins {
-        cs: Output::new(chip.GPIO10, Level::High, OutputConfig::default()),
-        dc: Output::new(chip.GPIO4, Level::High, OutputConfig::default()),
-        reset: Output::new(chip.GPIO5, Level::High, OutputConfig::default()),
-    };
-    let mut panel = Panel::st7789((WIDTH, HEIGHT), &mut spi, pins, &mut Delay::new()).unwrap();
+    let pins = Pins::new(
+        Output::new(chip.GPIO10, Level::High, OutputConfig::default()),
+        Output::new(chip.GPIO4, Level::High, OutputConfig::default()),
+        Output::new(chip.GPIO5, Level::High, OutputConfig::default()),
+    );
+    let mut panel = Panel::new(&Module::ST7789, &mut spi, pins, &mut Delay::new()).unwrap();
 
     // Two bands of 28 KiB in memory that DMA can read.
     let mut colors = dma_tx_buffer!(2 * BAND).unwrap();

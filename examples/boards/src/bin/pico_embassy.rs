@@ -6,7 +6,7 @@
 
 use core::mem::swap;
 
-use boards::panel::{Panel, Pins};
+use boards::panel::{Module, Panel, Pins};
 use boards::scene::{Memory, Scene};
 use cortex_m::singleton;
 use embassy_executor::Spawner;
@@ -36,14 +36,17 @@ async fn main(_spawner: Spawner) {
     let chip = embassy_rp::init(Default::default()); // 125 MHz
     let mut config = spi::Config::default();
     config.frequency = 62_500_000;
+    // Mode 3, which displays without CS need.
+    config.polarity = spi::Polarity::IdleHigh;
+    config.phase = spi::Phase::CaptureOnSecondTransition;
     let (clock, data) = (chip.PIN_18, chip.PIN_19);
     let mut spi = Spi::new_txonly(chip.SPI0, clock, data, chip.DMA_CH0, Interrupts, config);
-    let pins = Pins {
-        cs: Output::new(chip.PIN_17, Level::High),
-        dc: Output::new(chip.PIN_16, Level::High),
-        reset: Output::new(chip.PIN_20, Level::High),
-    };
-    let mut panel = Panel::st7789((WIDTH, HEIGHT), &mut spi, pins, &mut Delay).unwrap();
+    let pins = Pins::new(
+        Output::new(chip.PIN_17, Level::High),
+        Output::new(chip.PIN_16, Level::High),
+        Output::new(chip.PIN_20, Level::High),
+    );
+    let mut panel = Panel::new(&Module::ST7789, &mut spi, pins, &mut Delay).unwrap();
 
     // A pixel is two bytes: embassy-rp's bus has no words of 16 bits.
     let mut colors = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();

@@ -1,16 +1,16 @@
-//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on an ST7789 or
-//! an ILI9341. The playground and `--example model` put both into one UF2.
+//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on the module
+//! that the model names. The playground and `--example model` put both into one UF2.
 #![no_std]
 #![no_main]
 
 use boards::model::Scene;
-use boards::panel::Controller;
-use boards::pico::{BANDS_OF_FRAME, HEIGHT, PIXELS, ROWS, hal};
+use boards::panel::widen;
+use boards::pico::{PIXELS, hal, rows_for};
 use boards::queue::{begin, free, send, start_with};
 use cortex_m::singleton;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
-use flash_model::{ADDRESS, Board, Panel};
+use flash_model::{ADDRESS, Board, Module};
 use panic_halt as _;
 
 /// The flash behind the program.
@@ -31,20 +31,22 @@ fn flash() -> &'static [u32] {
 fn main() -> ! {
     let words = flash();
     let scene = Scene::new(words).unwrap();
-    let (width, _) = scene.size();
-    let controller = match Panel::wanted(words) {
-        Panel::St7789 => Controller::St7789,
-        Panel::Ili9341 => Controller::Ili9341,
-    };
-    let board = start_with(controller, width).unwrap();
+    let module = Module::wanted(words);
+    let ((width, height), rows) = (module.size(), rows_for(&module));
+    let pixels = (width * rows) as usize;
+    let board = start_with(&module).unwrap();
     let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
     let mut frame = 0_u32;
     loop {
         let now_ms = begin(frame, board.timer);
-        for number in 0..BANDS_OF_FRAME {
+        for number in 0..height / rows {
             let band = free();
-            let canvas = Canvas::<Rgb565, Words>::band(&mut band[..], width, HEIGHT, number * ROWS);
+            let canvas =
+                Canvas::<Rgb565, Words>::band(&mut band[..pixels], width, height, number * rows);
             scene.draw(now_ms, canvas.unwrap(), depths).unwrap();
+            if module.bytes_of_pixel() == 3 {
+                widen(band);
+            }
             send((frame, number), band);
         }
         frame = frame.wrapping_add(1);

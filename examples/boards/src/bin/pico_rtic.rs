@@ -6,7 +6,7 @@ use panic_halt as _;
 
 #[rtic::app(device = rp2040_hal::pac)]
 mod app {
-    use boards::pico::{Band, HEIGHT, ROWS, Sender, Timer, WIDTH, set_up};
+    use boards::pico::{Band, HEIGHT, MODULE, ROWS, Sender, Timer, WIDTH, set_up};
     use boards::scene::{Memory, Scene};
     use embedded_graphics::pixelcolor::Rgb565;
     use fixel::canvas::{Canvas, Words};
@@ -30,7 +30,7 @@ mod app {
     // A queue holds one element less than it has room for.
     #[init(local = [there: Queue<Band, 4> = Queue::new(), back: Queue<Band, 4> = Queue::new()])]
     fn init(context: init::Context) -> (Shared, Local) {
-        let board = set_up(context.device).unwrap();
+        let board = set_up(context.device, &MODULE).unwrap();
         let (finished, to_send) = context.local.there.split();
         let (mut sent, free) = context.local.back.split();
         for band in board.bands {

@@ -16,7 +16,7 @@
 
 use core::mem::swap;
 
-use boards::panel::{Panel, Pins};
+use boards::panel::{Module, Panel, Pins};
 use boards::scene::{Memory, Scene};
 use cortex_m::singleton;
 use embassy_executor::Spawner;
@@ -71,12 +71,12 @@ async fn main(_spawner: Spawner) {
         Interrupts,
         config,
     );
-    let pins = Pins {
-        cs: Output::new(chip.PA4, Level::High, Speed::VeryHigh),
-        dc: Output::new(chip.PB0, Level::High, Speed::VeryHigh),
-        reset: Output::new(chip.PB1, Level::High, Speed::Low),
-    };
-    let mut panel = Panel::ili9341(&mut spi, pins, &mut Delay).unwrap();
+    let pins = Pins::new(
+        Output::new(chip.PA4, Level::High, Speed::VeryHigh),
+        Output::new(chip.PB0, Level::High, Speed::VeryHigh),
+        Output::new(chip.PB1, Level::High, Speed::Low),
+    );
+    let mut panel = Panel::new(&Module::ILI9341, &mut spi, pins, &mut Delay).unwrap();
 
     // Two bands: 50 KiB, none of it on the stack. A pixel is a word of the bus.
     let mut colors = singleton!(: [u16; BAND] = [0; BAND]).unwrap();

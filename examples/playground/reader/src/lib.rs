@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fixel_assets::{Files, Format};
-use flash_model::Panel;
+use flash_model::Module;
 
 /// The files and the answer. A browser calls one function at a time, so no one waits for the lock.
 static READER: Mutex<Reader> = Mutex::new(Reader {
@@ -162,9 +162,12 @@ fn answer(files: &Dropped) -> Result<Answer, String> {
     ])
 }
 
-/// The answer for a board: a UF2 of its program and a model.
+/// The answer for a board: a UF2 of its program and a model. The panel is four times the number of the module in
+/// [`Module::ALL`], and by how many more right angles the picture is turned.
 fn flashed(files: &Dropped, panel: u32) -> Result<Answer, String> {
-    let panel = Panel::of(panel).ok_or_else(|| format!("there is no panel {panel}"))?;
+    let module = Module::ALL.get((panel / 4) as usize);
+    let &(.., mut module) = module.ok_or_else(|| format!("there is no panel {panel}"))?;
+    module.rotation = (module.rotation + panel) % 4;
     let (program, files) = files.0.split_first().ok_or("there is no program")?;
     let files = Dropped(files.to_vec());
     let name = files.model().ok_or("there is no model")?;
@@ -172,7 +175,7 @@ fn flashed(files: &Dropped, panel: u32) -> Result<Answer, String> {
     let spare = spare.ok().map(|texture| texture.picture);
     let mut notes = Vec::new();
     let board = flash_model::board(program.1)?;
-    let words = flash_model::write(name, &files, spare.as_ref(), board, panel, &mut notes)?;
+    let words = flash_model::write(name, &files, spare.as_ref(), board, module, &mut notes)?;
     let uf2 = flash_model::uf2(program.1, &words)?;
     let notes = notes.join("\n").into_bytes();
     let none = Vec::new();
