@@ -499,11 +499,17 @@ impl Module {
             })
             .collect();
         let number = |to: &mut u32| match numbers.as_deref() {
-            Some(&[number]) => Ok(*to = number),
+            Some(&[number]) => {
+                *to = number;
+                Ok(())
+            }
             _ => Err(format!("{value} is no value for {name}: a number is")),
         };
         let pair = |to: &mut [u32; 2]| match numbers.as_deref() {
-            Some(&[x, y]) => Ok(*to = [x, y]),
+            Some(&[x, y]) => {
+                *to = [x, y];
+                Ok(())
+            }
             _ => Err(format!(
                 "{value} is no value for {name}: two numbers with an x are"
             )),
