@@ -42,6 +42,7 @@ fn main() -> ExitCode {
 fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
     let (args, to) = match args {
         [args @ .., "-o", to] => (args, Some(Path::new(to))),
+        [.., "-o"] => return Err("give a file after -o".into()),
         args => (args, None),
     };
     keep(args, to)?;

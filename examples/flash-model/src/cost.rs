@@ -22,8 +22,8 @@ const CLOCK_2: f64 = 150e6;
 /// instruction, and has 150 million cycles in a second.
 const PICO2: f64 = 2.4;
 /// The number of the frames in which pixels are counted, and the time between two of them.
-const VIEWS: u64 = 4;
-const STEP_MS: u64 = 2500;
+const VIEWS: usize = 4;
+const STEP_MS: usize = 2500;
 
 /// Estimates how many frames of a model a board shows in a second. On emulated Picos, models of 14 to 16,000 triangles
 /// showed up to a quarter more or fewer.
@@ -36,8 +36,8 @@ pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
     let mut pixels = vec![BinaryColor::Off; (width * height) as usize];
     let mut depths = vec![0_u16; pixels.len()];
     let mut covered = 0;
-    for time in 0..VIEWS {
-        let mvp = crate::view((width, height))? * crate::turn(STEP_MS * time);
+    for time in (0..).step_by(STEP_MS).take(VIEWS) {
+        let mvp = crate::view((width, height))? * crate::turn(time);
         let mut canvas = Canvas::new(&mut pixels, width, height)?.with_depth(&mut depths)?;
         canvas.clear(BinaryColor::Off);
         let both = DrawOptions::new().with_cull(Cull::Nothing);
@@ -47,17 +47,17 @@ pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
             .filter(|&&pixel| pixel == BinaryColor::On)
             .count();
     }
-    let covered = covered as f64 / VIEWS as f64;
-    let faces = model.mesh().faces().len() as f64;
+    let covered = real(covered) / real(VIEWS);
+    let faces = real(model.mesh().faces().len());
     let lit = lit(model);
     let mut cycles = FRAME;
     for part in model.parts() {
-        let share = part.faces.len() as f64 / faces;
+        let share = real(part.faces.len()) / faces;
         // Pixels of backs are mostly hidden, but take time, too.
         let sides = if part.is_two_sided { 2.5 } else { 1.0 };
         let texel = if part.texture.is_some() { TEXEL } else { 0.0 };
         let [triangle, pixel] = if part.is_plain() { [0.0; 2] } else { PAINT };
-        cycles += share * sides * (faces * (TRIANGLE + triangle) + lit as f64 * VERTEX);
+        cycles += share * sides * (faces * (TRIANGLE + triangle) + real(lit) * VERTEX);
         cycles += sides * CALL + share * covered * (PIXEL + texel + pixel);
     }
     let (clock, speed) = match board {
@@ -85,4 +85,10 @@ fn lit(model: &Model<'_>) -> usize {
     let new = pairs
         .filter(|(vertex, normal)| kept[usize::from(**vertex)].replace(**normal) != Some(**normal));
     new.count()
+}
+
+/// A count as a number that can be multiplied.
+#[allow(clippy::cast_precision_loss)] // below 2^53
+const fn real(count: usize) -> f64 {
+    count as f64
 }

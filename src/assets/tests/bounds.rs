@@ -4,6 +4,7 @@
 mod common;
 
 use std::cell::Cell;
+use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -219,7 +220,7 @@ fn buffers_do_not_repeat_bytes() {
     let long = |len: usize| u32::try_from(len).unwrap().to_le_bytes();
     bytes.extend([&b"glTF"[..], &long(2), &long(28 + json.len() + 600_000)].concat());
     bytes.extend([&long(json.len())[..], b"JSON", json.as_bytes()].concat());
-    bytes.extend([&long(600_000)[..], b"BIN\0", &[0; 600_000]].concat());
+    bytes.extend([&long(600_000)[..], b"BIN\0", &vec![0; 600_000]].concat());
     let (model, _) = read(&[("a.glb", bytes)]);
     assert!(
         model
@@ -228,7 +229,7 @@ fn buffers_do_not_repeat_bytes() {
     );
     let buffers = "{\"uri\":\"b.bin\"},".repeat(40_000);
     let text = format!("{{\"asset\":{{}},\"buffers\":[{buffers}{{}}]}}");
-    let (_, counted) = read(&[("a.gltf", text.as_bytes()), ("b.bin", &[0; 300_000])]);
+    let (_, counted) = read(&[("a.gltf", text.as_bytes()), ("b.bin", &vec![0; 300_000])]);
     assert_eq!(counted.reads.get(), 2);
 }
 
@@ -259,16 +260,16 @@ fn long_polygons_are_bounded() {
 /// Each corner of a comb may hide each other one.
 #[test]
 fn concave_polygons_are_cut_in_bounded_time() {
-    let comb = |teeth: usize| {
+    let comb = |teeth: u32| {
         let mut obj = String::new();
         for at in 0..teeth {
-            let up = 1.0 + at as f64 / 1e5;
-            obj += &format!("v {at} 0 0\nv {at}.5 {up} 0\n");
+            let up = 1.0 + f64::from(at) / 1e5;
+            let _ = writeln!(obj, "v {at} 0 0\nv {at}.5 {up} 0");
         }
-        obj += &format!("v {teeth} -1 0\nv 0 -1 0\nf");
-        (0..2 * teeth + 2)
-            .rev()
-            .for_each(|at| obj += &format!(" {}", at + 1));
+        let _ = write!(obj, "v {teeth} -1 0\nv 0 -1 0\nf");
+        for at in (1..2 * teeth + 3).rev() {
+            let _ = write!(obj, " {at}");
+        }
         fixel_assets::read(Path::new("a.obj"), &memory(&[("a.obj", &obj)])).unwrap()
     };
     let area = |model: &Model| -> f64 {
@@ -282,7 +283,7 @@ fn concave_polygons_are_cut_in_bounded_time() {
     };
     // A polygon of 10,002 corners is cut, and one of 24,002, with 576 million pairs, becomes a fan that overlaps itself.
     // The area of a tooth and of the square below it is at least 1.5; these are twice the areas.
-    let [cut, fan] = [5000, 12_000].map(|teeth| (area(&comb(teeth)), 3.0 * teeth as f64));
+    let [cut, fan] = [5000, 12_000].map(|teeth| (area(&comb(teeth)), 3.0 * f64::from(teeth)));
     assert!(cut.0 < cut.1 * 1.1, "{cut:?}");
     assert!(fan.0 > fan.1 * 1.5, "{fan:?}");
 }
@@ -333,9 +334,9 @@ fn a_point_of_many_faces_is_smooth() {
     let mut obj = "v 0 0 1\ns 1\n".to_string();
     for at in 0..20_000 {
         let (sin, cos) = (f64::from(at) * 6e-4).sin_cos();
-        obj += &format!("v {cos:.4} {sin:.4} 0\n");
+        let _ = writeln!(obj, "v {cos:.4} {sin:.4} 0");
         if at > 0 {
-            obj += &format!("f 1 {} {}\n", at + 1, at + 2);
+            let _ = writeln!(obj, "f 1 {} {}", at + 1, at + 2);
         }
     }
     let mut model = read(&[("a.obj", obj)]).0.unwrap();
