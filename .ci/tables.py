@@ -287,6 +287,28 @@ def names(instructions, other):
             yield (f'("{name}") => {{ "{short_million(count)} M instructions, about {frames(name)} frames a second on an '
                    f'STM32F4 at 168 MHz, {kb(ram)} KB of RAM." }};')
 
+    def grid():
+        """Animations of recipes in four columns: page and anchor, name, caption."""
+        cells = [("scenes/index.html#terrain", "terrain", "Terrain in fog"),
+                 ("surfaces/index.html#modes", "corridor", "Two modes"),
+                 ("light/index.html#cartoon", "toon", "Cartoon"),
+                 ("scenes/index.html#a-drones-display", "drone", "A drone's display"),
+                 ("lines/index.html#black-and-white", "packed", "128x64, black and white"),
+                 ("scenes/index.html#picking", "picking", "Picking"),
+                 ("models/index.html#files", "files", "A model from a GLB file"),
+                 ("scenes/index.html#instruments", "instruments", "Instruments")]
+        yield "<table>"
+        for at, (page, name, caption) in enumerate(cells):
+            if at % 4 == 0:
+                yield "<tr>"
+            link = f"https://docs.rs/fixel/latest/fixel/guide/cookbook/{page}"
+            yield (f'<td align="center"><a href="{link}"><img src="examples/assets/{name}.webp" width="200" '
+                   f'alt="{caption}"></a><br>{caption}<br><sub>STM32F4: {frames(name)} frames a second, '
+                   f'{kb(other[f"recipe {name} RAM"])} KB</sub></td>')
+            if at % 4 == 3:
+                yield "</tr>"
+        yield "</table>"
+
     def cycles(name):
         counts = f"{other[f'{name} cycles'] / 1e6:.2f}"
         rates = cells(rate, [f"{name} {bus}" for bus in ["cycles", "gaps", "instant"]])

@@ -70,8 +70,8 @@
 
 /// Models from files, small meshes, levels of detail; frames in bands, on two cores, and without a depth buffer.
 ///
-/// The line below each picture gives the [costs](super#what-a-recipe-costs) of a frame of 320x240 pixels. The frames a
-/// second are an estimate.
+/// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
+/// pixels. The frames a second are an estimate.
 ///
 #[doc = recipe!("Hello", "hello")]
 #[cfg_attr(not(doctest), doc = recipe!("Files", "files"))]
@@ -89,8 +89,8 @@ pub mod models {}
 
 /// Lamps, highlights and cartoons; fog, and skies behind a scene.
 ///
-/// The line below each picture gives the [costs](super#what-a-recipe-costs) of a frame of 320x240 pixels. The frames a
-/// second are an estimate.
+/// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
+/// pixels. The frames a second are an estimate.
 ///
 #[doc = recipe!("Lights", "lights")]
 #[doc = recipe!("Cartoon", "toon")]
@@ -104,8 +104,8 @@ pub mod light {}
 
 /// Textures near and far; glass, mirrors and shadows; depth tests for what is hidden.
 ///
-/// The line below each picture gives the [costs](super#what-a-recipe-costs) of a frame of 320x240 pixels. The frames a
-/// second are an estimate.
+/// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
+/// pixels. The frames a second are an estimate.
 ///
 #[doc = recipe!("Mipmaps", "mipmaps")]
 #[doc = recipe!("Modes", "corridor")]
@@ -122,8 +122,8 @@ pub mod surfaces {}
 
 /// Models in lines, discs and sprites; panels with few colors.
 ///
-/// The line below each picture gives the [costs](super#what-a-recipe-costs) of a frame of 320x240 pixels. The frames a
-/// second are an estimate.
+/// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
+/// pixels. The frames a second are an estimate.
 ///
 #[cfg_attr(not(doctest), doc = recipe!("Wireframe", "wireframe"))]
 #[doc = recipe!("Points", "points")]
@@ -137,8 +137,8 @@ pub mod lines {}
 
 /// Scenes that put these techniques together.
 ///
-/// The line below each picture gives the [costs](super#what-a-recipe-costs) of a frame of 320x240 pixels. The frames a
-/// second are an estimate.
+/// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
+/// pixels. The frames a second are an estimate.
 ///
 #[doc = recipe!("Terrain", "terrain")]
 #[doc = recipe!("Keyframes", "keyframes")]

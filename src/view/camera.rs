@@ -113,7 +113,8 @@ impl Camera {
     ///
     /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). Color the dome by height
     /// with [`Gradient`](crate::shade::Gradient), or draw it with [`Textured`](crate::Textured) and a panorama. A sky
-    /// box is a cube seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook::light).
+    /// box is a cube seen from inside, with a texture for each side. The cookbook shows
+    /// [both](crate::guide::cookbook::light).
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -5,11 +5,12 @@ use std::path::Path;
 
 use cookbook::world::{FRAMES, LOOK, WALK, turn_of, viewer, walk};
 use cookbook::{
-    PAGE_SIZE, PAGES, SCENES, SIZE, THUMBNAIL, all, page, picture, pictures, thumbnail,
+    MOVING, PAGE_SIZE, PAGES, SCENES, SIZE, THUMBNAIL, all, animation, frames, page, picture,
+    pictures, thumbnail,
 };
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_simulator::SimulatorDisplay;
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixel::prelude::*;
 
 /// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
@@ -25,6 +26,37 @@ fn pictures_are_those_of_the_documentation() {
         let shown = SimulatorDisplay::load_png(thumbnail(name)).unwrap();
         assert!(found.diff(&shown).is_none(), "small {name} has changed");
     }
+}
+
+#[test]
+fn animations_are_those_of_the_readme() {
+    let mut all_bytes = fs::metadata(pictures().join("world.webp")).unwrap().len();
+    for &(name, draw, period) in MOVING {
+        let bytes = fs::read(animation(name)).unwrap();
+        all_bytes += bytes.len() as u64;
+        let shown = webp::AnimDecoder::new(&bytes).decode().unwrap();
+        let shown = shown.get_frames(0..shown.len()).unwrap();
+        let found = frames(draw, period).unwrap();
+        assert_eq!(shown.len(), found.len(), "{name}");
+        for (number, (shown, found)) in shown.iter().zip(&found).enumerate() {
+            let found = found.to_rgb_output_image(&OutputSettings::default());
+            let found = found.as_image_buffer();
+            let rgb: Vec<u8> = shown
+                .get_image()
+                .chunks(4)
+                .flat_map(|rgba| &rgba[..3])
+                .copied()
+                .collect();
+            assert!(
+                rgb == found.as_raw()[..],
+                "{name} has changed at frame {number}"
+            );
+        }
+    }
+    assert!(
+        all_bytes < 2_200_000,
+        "README's animations have {all_bytes} bytes"
+    );
 }
 
 #[test]
