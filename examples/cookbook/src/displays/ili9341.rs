@@ -25,12 +25,13 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Words, LinearDepth>) -> Result<(), E
     let floor = Transform::scale_axes(vec3!(1.6, 0.04, 1.6));
     canvas.draw(&CUBE, &(view * floor), &paint(235, 230, 215));
     let colors = [paint(235, 90, 70), paint(245, 190, 70), paint(70, 160, 220)];
-    for (at, height) in (0_i16..).zip([4_i16, 3, 2, 3, 2, 4, 1, 2, 3]) {
+    let columns = (0_i16..).zip([4_i16, 3, 2, 3, 2, 4, 1, 2, 3]);
+    for ((at, height), color) in columns.zip(colors.iter().cycle()) {
         let height = Scalar::from(height) / 6;
         let [x, z] = [at % 3 - 1, at / 3 - 1].map(Scalar::from);
         let place = Transform::translate(Vec3::new(x, height, z));
         let size = Transform::scale_axes(Vec3::new(fx!(0.4), height, fx!(0.4)));
-        canvas.draw(&CUBE, &(view * place * size), &colors[at as usize % 3]);
+        canvas.draw(&CUBE, &(view * place * size), color);
     }
     Ok(())
 }
