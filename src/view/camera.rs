@@ -134,10 +134,10 @@ impl Camera {
     /// right angles to `normal`.
     ///
     /// Draw the scene twice: from this camera inside the mirror, and from `self` everywhere. The
-    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their outsides, so leave
-    /// [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world itself does
-    /// not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the mirror would
-    /// appear in front of it, so leave them out.
+    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their outsides,
+    /// so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world
+    /// itself does not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the
+    /// mirror would appear in front of it, so leave them out.
     ///
     /// # Errors
     ///
