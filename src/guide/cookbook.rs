@@ -2,7 +2,7 @@
 //!
 //! <style>
 //! .recipes { display: flex; flex-wrap: wrap; gap: 12px; margin-bottom: 1.5em }
-//! .recipes a { width: 128px; text-align: center; font-size: 14px; line-height: 1.3 }
+//! .recipes a { width: 96px; text-align: center; font-size: 14px; line-height: 1.3 }
 //! .recipes img { display: block; margin: 0 0 2px }
 //! </style>
 //!

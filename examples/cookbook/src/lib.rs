@@ -24,7 +24,7 @@ pub use scenes::{Draw, Frame, MOVING, Move, SCENES};
 pub const SIZE: Size = Size::new(320, 240);
 
 /// The size of the small pictures that lead to the recipes.
-pub const THUMBNAIL: Size = Size::new(128, 96);
+pub const THUMBNAIL: Size = Size::new(96, 72);
 
 /// The pictures a second of the README's animations.
 pub const RATE: u64 = 12;
