@@ -1,5 +1,6 @@
 """Functions for the expressions in .ci/tables.md, and the claims in words that pages make about the same figures."""
 import math
+import re
 
 M4, M0, RISCV = "thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"
 M33 = "thumbv8m.main-none-eabi"
@@ -39,6 +40,14 @@ def texels(value):
     if value >= 1:
         return f"{value:.0f}"
     return f"{value:.{min(5, 1 - math.floor(math.log10(value)))}f}"
+
+
+def recipes(text):
+    """Returns the figures in the output of the firmware `recipes`."""
+    found = {}
+    for name, instructions, ram in re.findall(r"^recipe (\S+) .*instructions=(\d+) RAM=(\d+)", text, re.M):
+        found[f"recipe {name} instructions"], found[f"recipe {name} RAM"] = int(instructions), int(ram)
+    return found
 
 
 def ring_rate(count):
@@ -265,11 +274,47 @@ def names(instructions, other):
         alone = mhz * 1e6 / 1.5 / other[f"{name} instructions"]
         return f"{1e6 / other[f'{name} us']:.0f} | {alone:.0f} | {ram(name)}"
 
+    def frames(name):
+        """Frames a second that an STM32F4 at 168 MHz draws of a recipe, at 1.5 cycles for each instruction."""
+        rate = 168e6 / 1.5 / other[f"recipe {name} instructions"]
+        return f"{rate:.1f}" if rate < 9.5 else whole(rate)
+
+    def costs():
+        """Arms of a macro: what each recipe costs."""
+        names = [what.split()[1] for what in other if what.startswith("recipe ") and what.endswith(" RAM")]
+        for name in sorted(names):
+            count, ram = (other[f"recipe {name} {what}"] for what in ["instructions", "RAM"])
+            yield (f'("{name}") => {{ "{short_million(count)} M instructions, about {frames(name)} frames a second on an '
+                   f'STM32F4 at 168 MHz, {kb(ram)} KB of RAM." }};')
+
+    def grid():
+        """Animations of recipes in four columns: page and anchor, name, caption."""
+        cells = [("scenes/index.html#terrain", "terrain", "Terrain in fog"),
+                 ("surfaces/index.html#modes", "corridor", "Two modes"),
+                 ("light/index.html#cartoon", "toon", "Cartoon"),
+                 ("scenes/index.html#a-drones-display", "drone", "A drone's display"),
+                 ("lines/index.html#black-and-white", "packed", "128x64, black and white"),
+                 ("scenes/index.html#picking", "picking", "Picking"),
+                 ("models/index.html#files", "files", "A model from a GLB file"),
+                 ("scenes/index.html#instruments", "instruments", "Instruments")]
+        yield "<table>"
+        for at, (page, name, caption) in enumerate(cells):
+            if at % 4 == 0:
+                yield "<tr>"
+            link = f"https://docs.rs/fixel/latest/fixel/guide/cookbook/{page}"
+            yield (f'<td align="center"><a href="{link}"><img src="examples/assets/{name}.webp" width="200" '
+                   f'alt="{caption}"></a><br>{caption}<br><sub>STM32F4: {frames(name)} frames a second, '
+                   f'{kb(other[f"recipe {name} RAM"])} KB</sub></td>')
+            if at % 4 == 3:
+                yield "</tr>"
+        yield "</table>"
+
     def cycles(name):
         counts = f"{other[f'{name} cycles'] / 1e6:.2f}"
         rates = cells(rate, [f"{name} {bus}" for bus in ["cycles", "gaps", "instant"]])
         return f"{counts} | {rates} | {whole(other[f'{name} stack'])}"
 
+    newline = "\n"
     return globals() | locals()
 
 

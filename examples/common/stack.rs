@@ -20,7 +20,7 @@ const PAINT: u32 = 0xa51c_e5ab;
 /// measured.
 const MARGIN: usize = 256;
 /// The largest number of bytes that are filled. If a function uses more, this number is reported.
-const MOST: usize = 64 << 10;
+const MOST: usize = 256 << 10;
 /// The number of bytes in a word of the pattern.
 const WORD: usize = size_of::<u32>();
 

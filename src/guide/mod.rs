@@ -7,7 +7,8 @@
 //!    how to write numbers; and what to check when the scene is wrong.
 //! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: fixel's name for each term of these
 //!    libraries, and what fixel does differently. Skip this page if you know none of these libraries.
-//! 3. **[Cookbook](cookbook)**: short programs with their pictures. Each program shows one idea.
+//! 3. **[Cookbook](cookbook)**: short programs with their pictures, and with what each costs. Each program shows one
+//!    idea.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: programs for round panels, electronic paper, OLEDs, and panels with 18 bits per pixel;
 //!    how to send only a window of the frame, how to avoid tearing, and how to keep two frames in memory.
@@ -18,20 +19,6 @@
 //! 8. **[Limits](limits)**: the range of each quantity, and what happens beyond it.
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
-
-/// Writes a scene of the cookbook: its title, its picture and its program. The tests compile the program unchanged,
-/// inside a hidden module. Without the module, the program would begin with `//!`. Rustdoc would then compile the
-/// program separately, which takes longer than together with the other programs.
-macro_rules! recipe {
-    ($title:literal, $name:literal) => {
-        concat!(
-            page_picture!(# $title, $name),
-            "```\n# mod scene {\n",
-            include_str!(concat!("../../examples/cookbook/src/scenes/", $name, ".rs")),
-            "# }\n```\n"
-        )
-    };
-}
 
 /// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it needs
 /// a driver. The package `cookbook` compiles and tests the program.
@@ -51,8 +38,11 @@ macro_rules! program {
 
 #[macro_use]
 mod formula;
+#[macro_use]
+mod recipe;
 
 pub mod concepts;
+pub mod cookbook;
 pub mod mathematics;
 
 /// If you know OpenGL, tgx, embedded-3dgfx or small3dlib, this page gives fixel's name for each term of that library,
@@ -62,54 +52,6 @@ pub mod mathematics;
 ///
 #[doc = include_str!("coming_from.md")]
 pub mod coming_from {}
-
-#[doc = include_str!("cookbook.md")]
-#[doc = recipe!("Hello", "hello")]
-// Recipes without a test here would not compile here, because they read files by paths relative to the recipe's folder.
-// The package `cookbook` compiles and tests them, too.
-#[cfg_attr(not(doctest), doc = recipe!("Files", "files"))]
-#[doc = recipe!("Bands", "bands")]
-#[doc = recipe!("Two cores", "two_cores")]
-#[doc = recipe!("Lights", "lights")]
-#[doc = recipe!("Cartoon", "toon")]
-#[doc = recipe!("Fog", "fog")]
-#[doc = recipe!("Sky", "sky")]
-#[doc = recipe!("Sky box", "sky_box")]
-#[doc = recipe!("Mipmaps", "mipmaps")]
-#[doc = recipe!("Modes", "corridor")]
-#[doc = recipe!("Cut-out textures", "cut_out")]
-#[doc = recipe!("Blending", "blending")]
-#[doc = recipe!("What is hidden", "hidden")]
-#[doc = recipe!("Windows and stencils", "stencil")]
-#[doc = recipe!("Smooth edges", "smooth")]
-#[doc = recipe!("A mirror", "mirror")]
-#[doc = recipe!("Painter's order", "painter")]
-#[cfg_attr(not(doctest), doc = recipe!("Wireframe", "wireframe"))]
-#[doc = recipe!("Points", "points")]
-#[cfg_attr(not(doctest), doc = recipe!("Black and white", "packed"))]
-#[cfg_attr(not(doctest), doc = recipe!("Panels", "panels"))]
-#[cfg_attr(not(doctest), doc = recipe!("Materials", "materials"))]
-#[cfg_attr(not(doctest), doc = recipe!("Normals", "normals"))]
-#[doc = recipe!("Small meshes", "quantized")]
-#[doc = recipe!("Levels of detail", "detail")]
-#[doc = recipe!("Terrain", "terrain")]
-#[doc = recipe!("Keyframes", "keyframes")]
-#[doc = recipe!("Sprites", "sprites")]
-#[doc = recipe!("A windmill", "windmill")]
-#[doc = recipe!("Labels", "labels")]
-#[doc = recipe!("Picking", "picking")]
-#[doc = recipe!("Instruments", "instruments")]
-#[doc = recipe!("A drone's display", "drone")]
-#[doc = page_picture!(# "A little world", "world")]
-/// A walk through a garden at dusk uses most of the techniques on this page. Walls, grass and water have mipmaps. The
-/// trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a sky
-/// with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
-/// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program in
-/// `examples/common/world` draws whole frames or bands, and needs no memory except the canvas.
-///
-// The smaller font lets lines of 100 characters fit into the page.
-/// <style>.docblock pre.rust { font-size: 15px }</style>
-pub mod cookbook {}
 
 /// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
 ///

@@ -9,7 +9,7 @@ use crate::mesh::{Part, Primitive};
 
 /// A surface with one color for all pixels.
 ///
-#[cfg_attr(doc, doc = page_picture!("flat", "A ring in one color: only its outline can be seen"))]
+#[cfg_attr(doc, doc = page_picture!("flat", "Three rings, each in one color: only their outlines can be seen"))]
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
 /// use fixel::prelude::*;

@@ -113,7 +113,8 @@ impl Camera {
     ///
     /// A dome is a sphere seen from inside, drawn with [`Cull::Front`](crate::Cull::Front). Color the dome by height
     /// with [`Gradient`](crate::shade::Gradient), or draw it with [`Textured`](crate::Textured) and a panorama. A sky
-    /// box is a cube seen from inside, with a texture for each side; the cookbook shows [both](crate::guide::cookbook).
+    /// box is a cube seen from inside, with a texture for each side. The cookbook shows
+    /// [both](crate::guide::cookbook::light).
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -133,10 +134,10 @@ impl Camera {
     /// right angles to `normal`.
     ///
     /// Draw the scene twice: from this camera inside the mirror, and from `self` everywhere. The
-    /// [cookbook](crate::guide::cookbook#a-mirror) shows how. Nothing else changes. Faces keep their outsides, so leave
-    /// [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world itself does
-    /// not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the mirror would
-    /// appear in front of it, so leave them out.
+    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their outsides,
+    /// so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world
+    /// itself does not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the
+    /// mirror would appear in front of it, so leave them out.
     ///
     /// # Errors
     ///

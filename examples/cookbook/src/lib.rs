@@ -18,10 +18,16 @@ use fixel::prelude::*;
 
 pub use displays::DISPLAYS;
 pub use pages::{PAGES, SIZE as PAGE_SIZE};
-pub use scenes::{Draw, Frame, SCENES};
+pub use scenes::{Draw, Frame, MOVING, Move, SCENES};
 
 /// The size of the documentation's pictures.
 pub const SIZE: Size = Size::new(320, 240);
+
+/// The size of the small pictures that lead to the recipes.
+pub const THUMBNAIL: Size = Size::new(96, 72);
+
+/// The pictures a second of the README's animations.
+pub const RATE: u64 = 12;
 
 /// The scene that is longer than the other scenes, and is animated.
 pub const WORLD: &str = "world";
@@ -50,6 +56,18 @@ pub fn picture(
     Ok(display)
 }
 
+/// Draws the pictures of an animation.
+///
+/// # Errors
+///
+/// The errors of the scene.
+pub fn frames(draw: Move, period: u64) -> Result<Vec<SimulatorDisplay<Rgb565>>, Error> {
+    let times = (0..period * RATE / 1000).map(|frame| frame * 1000 / RATE);
+    times
+        .map(|ms| picture(|canvas| draw(canvas, ms), SIZE))
+        .collect()
+}
+
 /// The folder of the documentation's pictures.
 #[must_use]
 pub fn pictures() -> PathBuf {
@@ -66,4 +84,20 @@ pub fn display(name: &str) -> PathBuf {
 #[must_use]
 pub fn page(name: &str) -> PathBuf {
     pictures().join("pages").join(name).with_extension("png")
+}
+
+/// The small picture of a scene.
+#[must_use]
+pub fn thumbnail(name: &str) -> PathBuf {
+    pictures()
+        .join("thumbnails")
+        .join(name)
+        .with_extension("png")
+}
+
+/// The animation of a scene. Only README shows it, so it is in no package.
+#[must_use]
+pub fn animation(name: &str) -> PathBuf {
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");
+    assets.join(name).with_extension("webp")
 }

@@ -1,6 +1,6 @@
 //! Small scenes, one idea each, and a little world: see `--help`.
 
-mod animation;
+mod webp_file;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -8,10 +8,12 @@ use std::path::PathBuf;
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use cookbook::{
-    DISPLAYS, PAGE_SIZE, PAGES, SIZE, WORLD, all, display, page, picture, pictures, world,
+    DISPLAYS, MOVING, PAGE_SIZE, PAGES, RATE, SIZE, THUMBNAIL, WORLD, all, animation, display,
+    frames, page, picture, pictures, thumbnail, world,
 };
 use embedded_graphics::geometry::Size;
 use embedded_graphics_simulator::OutputSettings;
+use webp_file::Quality;
 
 /// Draws small scenes, one idea each, and saves a picture of each as a PNG file in the current folder; for `world`,
 /// also an animation.
@@ -68,13 +70,26 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .to_rgb_output_image(&OutputSettings::default())
                 .save_png(&path)?;
             println!("{}", path.display());
+            if args.renew {
+                picture(draw, THUMBNAIL)?
+                    .to_rgb_output_image(&OutputSettings::default())
+                    .save_png(thumbnail(name))?;
+            }
             if name == WORLD {
                 let path = path.with_extension("webp");
                 let turns = (0..world::FRAMES).map(world::turn_of);
                 let frames = turns.map(|turn| picture(|canvas| world::walk(canvas, turn), size));
-                animation::save(&path, &frames.collect::<Result<Vec<_>, _>>()?)?;
+                let frames = frames.collect::<Result<Vec<_>, _>>()?;
+                webp_file::save(&path, &frames, world::RATE, Quality::Visible)?;
                 println!("{}", path.display());
             }
+        }
+    }
+    for &(name, draw, period) in MOVING {
+        if args.renew && is_wanted(name) {
+            let path = animation(name);
+            webp_file::save(&path, &frames(draw, period)?, RATE, Quality::Exact)?;
+            println!("{}", path.display());
         }
     }
     if args.renew && args.scenes.is_empty() {

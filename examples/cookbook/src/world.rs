@@ -11,6 +11,9 @@ pub use garden::{LOOK, WALK, viewer};
 
 use super::scenes::Frame;
 
+/// The number of frames a second of the walk's animation.
+pub const RATE: u64 = 15;
+
 /// The number of frames of the walk around the pond.
 pub const FRAMES: u32 = 96;
 

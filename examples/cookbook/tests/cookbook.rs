@@ -4,10 +4,13 @@ use std::fs;
 use std::path::Path;
 
 use cookbook::world::{FRAMES, LOOK, WALK, turn_of, viewer, walk};
-use cookbook::{PAGE_SIZE, PAGES, SCENES, SIZE, all, page, picture, pictures};
+use cookbook::{
+    MOVING, PAGE_SIZE, PAGES, SCENES, SIZE, THUMBNAIL, all, animation, frames, page, picture,
+    pictures, thumbnail,
+};
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_simulator::SimulatorDisplay;
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixel::prelude::*;
 
 /// After a change that is meant to change a picture, run `cargo run -p cookbook -- --renew`, look at the picture,
@@ -19,7 +22,41 @@ fn pictures_are_those_of_the_documentation() {
         let found = picture(draw, SIZE).unwrap();
         let shown = SimulatorDisplay::load_png(&path).unwrap();
         assert!(found.diff(&shown).is_none(), "{name} has changed");
+        let found = picture(draw, THUMBNAIL).unwrap();
+        let shown = SimulatorDisplay::load_png(thumbnail(name)).unwrap();
+        assert!(found.diff(&shown).is_none(), "small {name} has changed");
     }
+}
+
+#[test]
+fn animations_are_those_of_the_readme() {
+    let mut all_bytes = fs::metadata(pictures().join("world.webp")).unwrap().len();
+    for &(name, draw, period) in MOVING {
+        let bytes = fs::read(animation(name)).unwrap();
+        all_bytes += bytes.len() as u64;
+        let shown = webp::AnimDecoder::new(&bytes).decode().unwrap();
+        let shown = shown.get_frames(0..shown.len()).unwrap();
+        let found = frames(draw, period).unwrap();
+        assert_eq!(shown.len(), found.len(), "{name}");
+        for (number, (shown, found)) in shown.iter().zip(&found).enumerate() {
+            let found = found.to_rgb_output_image(&OutputSettings::default());
+            let found = found.as_image_buffer();
+            let rgb: Vec<u8> = shown
+                .get_image()
+                .chunks(4)
+                .flat_map(|rgba| &rgba[..3])
+                .copied()
+                .collect();
+            assert!(
+                rgb == found.as_raw()[..],
+                "{name} has changed at frame {number}"
+            );
+        }
+    }
+    assert!(
+        all_bytes < 2_200_000,
+        "README's animations have {all_bytes} bytes"
+    );
 }
 
 #[test]
@@ -42,12 +79,22 @@ fn scenes_draw_in_the_size_of_a_small_display() {
     }
 }
 
+/// The guide has a small picture and a recipe for each scene.
+#[test]
+fn scenes_are_in_the_guide() {
+    const GUIDE: &str = include_str!("../../../src/guide/cookbook.rs");
+    for (name, _) in all() {
+        let (small, recipe) = (format!("\" \"{name}\""), format!("\", \"{name}\""));
+        assert!(GUIDE.contains(&small) && GUIDE.contains(&recipe), "{name}");
+    }
+}
+
 #[test]
 fn scenes_are_short() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/scenes");
     for (name, _) in SCENES {
         let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
-        assert!(text.lines().count() < 60, "{name} has 60 lines or more");
+        assert!(text.lines().count() <= 72, "{name} has more than 72 lines");
     }
 }
 

@@ -1,8 +1,8 @@
 //! The cookbook's scenes on a microcontroller. The pictures have the same pixels as on the host.
 //!
 //! `cargo run --profile speed -p firmware --bin recipes --target thumbv7em-none-eabi` prints a checksum of each
-//! picture, in 96x72, and the number of instructions. `cargo run -p cookbook -- --crc --size 96x72` prints the host's
-//! checksums. Four scenes are missing: three use the standard library, and one draws with floats.
+//! picture, the number of instructions that drew it, and the bytes of RAM that a program with this recipe needs.
+//! `cargo run -p cookbook -- --crc` prints the host's checksums. One scene is missing: it starts a thread.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -10,6 +10,9 @@ mod board;
 #[cfg(target_os = "none")]
 #[path = "../../cookbook/src/scenes/mod.rs"]
 mod scenes;
+#[cfg(target_os = "none")]
+#[path = "../../common/stack.rs"]
+mod stack;
 #[cfg(target_os = "none")]
 #[path = "../../common/world/mod.rs"]
 mod world;
@@ -31,14 +34,17 @@ mod firmware {
 
     use super::board::{self, Clock};
     use super::scenes::{Draw, Frame, SCENES};
-    use super::world;
+    use super::{stack, world};
 
-    const WIDTH: u32 = 96;
-    const HEIGHT: u32 = 72;
+    const WIDTH: u32 = 320;
+    const HEIGHT: u32 = 240;
     const PIXELS: usize = (WIDTH * HEIGHT) as usize;
     static COLORS: ConstStaticCell<[Rgb565; PIXELS]> =
         ConstStaticCell::new([Rgb565::BLACK; PIXELS]);
     static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
+
+    /// The scenes to which the canvas is a display. They draw in memory of their own, which is on the stack.
+    const SHOWN: [&str; 4] = ["bands", "packed", "panels", "terrain"];
 
     /// The little world at the moment that the cookbook shows.
     fn draw_world(canvas: &mut Frame<'_>) -> Result<(), Error> {
@@ -57,14 +63,22 @@ mod firmware {
             colors.fill(Rgb565::BLACK);
             depths.fill(0);
             let mut canvas = Canvas::new(&mut *colors, WIDTH, HEIGHT)?.with_depth(depths)?;
-            let (drawn, ticks) = clock.time(|| draw(&mut canvas));
+            let ((drawn, ticks), stack) = stack::deepest(|| clock.time(|| draw(&mut canvas)));
             drawn?;
             let mut hasher = Hasher::new();
             for color in canvas.pixels() {
                 hasher.update(&color.to_be_bytes());
             }
             let (crc, instructions) = (hasher.finalize(), ticks * tick);
-            println!("recipe {name} crc={crc:08x} instructions={instructions}");
+            // A scene that leaves all depths equal works without a depth buffer.
+            let has_depth = depths.iter().any(|&depth| depth != depths[0]);
+            let buffers = if SHOWN.contains(&name) {
+                0
+            } else {
+                size_of_val(colors) + usize::from(has_depth) * size_of_val(depths)
+            };
+            let ram = buffers + stack;
+            println!("recipe {name} crc={crc:08x} instructions={instructions} RAM={ram}");
         }
         Ok(())
     }

@@ -17,7 +17,7 @@ impl Transform {
     /// [`TestNearer`](crate::canvas::TestNearer), so that each pixel is darkened once; see
     /// [`Biased::coplanar`](crate::canvas::Biased::coplanar). If the mesh is closed, leave [culling](crate::Cull) as it
     /// is, because the faces toward the light show their fronts. Parts of the mesh behind the plane throw a shadow,
-    /// too. The [cookbook](crate::guide::cookbook#a-mirror) has a scene with shadows.
+    /// too. The [cookbook](crate::guide::cookbook::surfaces#a-mirror) has a scene with shadows.
     ///
     /// The entries of the matrix are accurate to 2⁻²⁸ of its largest entry. The lower the light, the larger this entry:
     /// about 1 / sin e, where e is the light's angle above the plane.

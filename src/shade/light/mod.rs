@@ -179,7 +179,7 @@ pub trait Lighting: Copy {
     /// The same light for thin sheets that are seen from both sides: triangles that turn their back to the viewer are
     /// lit as if their normals pointed the other way.
     ///
-    #[cfg_attr(doc, doc = page_picture!("two_sided", "Two sheets that turn their backs: dark without the adapter, bright with it"))]
+    #[cfg_attr(doc, doc = page_picture!("two_sided", "Two bowls: the inside is dark without the adapter, and lit with it"))]
     /// A triangle turns its back to the viewer if its normal points to one side of its plane, and the viewer is on the
     /// other side. Edges and points have no back.
     ///

@@ -21,17 +21,17 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Words, LinearDepth>) -> Result<(), E
         * Camera::look_at(vec3!(3, 4, 6), vec3!(0, 0.4, 0), Vec3::Y)?;
     let sun = Light::new(vec3!(1, 3, 2), fx!(0.3), fx!(0.7))?;
     canvas.clear(Rgb565::new(5, 11, 9));
-    for (at, height) in (0_i16..).zip([3_i16, 1, 2, 1, 2, 4, 1, 3, 1]) {
-        let height = Scalar::from(height) / 3;
-        let place = Vec3::new(
-            Scalar::from(at % 3 - 1),
-            height / 2,
-            Scalar::from(at / 3 - 1),
-        );
-        let size = Vec3::new(fx!(0.4), height / 2, fx!(0.4));
-        let block = Transform::translate(place) * Transform::scale_axes(size);
-        let color = Flat::rgb(Rgb888::new(80, 170, 210)).lit_faces(sun);
-        canvas.draw(&CUBE, &(view * block), &color);
+    let paint = |red, green, blue| Flat::rgb(Rgb888::new(red, green, blue)).lit_faces(sun);
+    let floor = Transform::scale_axes(vec3!(1.6, 0.04, 1.6));
+    canvas.draw(&CUBE, &(view * floor), &paint(235, 230, 215));
+    let colors = [paint(235, 90, 70), paint(245, 190, 70), paint(70, 160, 220)];
+    let columns = (0_i16..).zip([4_i16, 3, 2, 3, 2, 4, 1, 2, 3]);
+    for ((at, height), color) in columns.zip(colors.iter().cycle()) {
+        let height = Scalar::from(height) / 6;
+        let [x, z] = [at % 3 - 1, at / 3 - 1].map(Scalar::from);
+        let place = Transform::translate(Vec3::new(x, height, z));
+        let size = Transform::scale_axes(Vec3::new(fx!(0.4), height, fx!(0.4)));
+        canvas.draw(&CUBE, &(view * place * size), color);
     }
     Ok(())
 }

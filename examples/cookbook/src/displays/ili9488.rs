@@ -19,15 +19,18 @@ static BALL: Mesh = shape!(sphere(32, 24));
 
 /// Draws some rows of the frame. `Rgb666` would take four bytes a pixel in memory; the bus needs three.
 pub fn draw(canvas: &mut Canvas<'_, Rgb888, BigEndian, LinearDepth>) -> Result<(), Error> {
-    let view = Projection::perspective(deg!(38), canvas.frame_size(), fx!(0.5), fx!(50))?
-        * Camera::look_at(vec3!(0, 1.5, 5.3), Vec3::ZERO, Vec3::Y)?;
+    let view = Projection::perspective(deg!(24), canvas.frame_size(), fx!(0.5), fx!(50))?
+        * Camera::look_at(vec3!(0, 6, 15), Vec3::ZERO, Vec3::Y)?;
     let sun = Light::new(vec3!(-2, 2, 3), fx!(0.15), fx!(0.85))?;
-    canvas.clear(Rgb888::new(24, 24, 32));
+    canvas.clear(Rgb888::new(208, 200, 188));
+    let shadow = view * Transform::shadow(-Vec3::Y, Vec3::Y, vec3!(-2, 5, 3))?;
+    let shade = Flat::new(Rgb888::new(150, 140, 130));
     let colors = [(230, 60, 60), (240, 200, 60), (60, 180, 90), (70, 110, 230)];
     for (column, (red, green, blue)) in (0_i16..).zip(colors) {
-        let place = Transform::translate(vec3!(1.4, 0, 0) * (Scalar::from(column) - fx!(1.5)));
+        let place = Transform::translate(vec3!(2.4, 0, 0) * (Scalar::from(column) - fx!(1.5)));
+        canvas.draw(&BALL, &(shadow * place), &shade);
         let color = Flat::new(Rgb888::new(red, green, blue)).lit(sun);
-        canvas.draw(&BALL, &(view * place * Transform::scale(fx!(0.68))), &color);
+        canvas.draw(&BALL, &(view * place), &color);
     }
     Ok(())
 }
@@ -43,12 +46,9 @@ pub fn run<S: SpiDevice>(
     let panel = Builder::new(ILI9488Rgb666, interface).orientation(sideways);
     let (mut interface, ..) = panel.init(&mut delay).ok().unwrap().release();
     let (right, bottom) = (WIDTH as u16 - 1, HEIGHT as u16 - 1);
-    interface
-        .write_command(SetColumnAddress::new(0, right))
-        .ok();
-    interface.write_command(SetPageAddress::new(0, bottom)).ok();
-    interface.write_command(WriteMemoryStart).ok();
-
+    _ = interface.write_command(SetColumnAddress::new(0, right));
+    _ = interface.write_command(SetPageAddress::new(0, bottom));
+    _ = interface.write_command(WriteMemoryStart);
     let (mut colors, mut depths) = ([[0; 3]; BAND], [0; BAND]);
     for first_row in (0..HEIGHT).step_by(ROWS as usize) {
         let band = Canvas::band(&mut colors, WIDTH, HEIGHT, first_row)?;

@@ -247,11 +247,12 @@ fn epaper_picture() -> Result<Picture, Error> {
             pixels.clone().map(color).map(Some),
         );
     }
-    // The colors show which pixels the quick refresh drove.
+    // The colors show which pixels the quick refresh drove. The other pixels are pale.
     let color = |at| match (is_white(0, at), is_white(1, at)) {
         (true, false) => Rgb888::new(200, 60, 40),
         (false, true) => Rgb888::new(60, 120, 220),
-        _ => Rgb888::new(225, 225, 225),
+        (true, true) => Rgb888::WHITE,
+        (false, false) => Rgb888::new(190, 190, 190),
     };
     lay(&mut picture, 2, size, 1, pixels.map(color).map(Some));
     Ok(picture)

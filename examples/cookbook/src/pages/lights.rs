@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 
-use super::{BALL, Drawn, FLOOR, RING, SHEET, SLATE, ring, view};
+use super::{BALL, Drawn, FLOOR, RING, SLATE, ring, view};
 use crate::scenes::Frame;
 
 /// A lamp above a floor and a ball.
@@ -61,26 +61,28 @@ pub(super) fn colored(canvas: &mut Frame<'_>) -> Drawn {
     under(canvas, [red, blue])
 }
 
-/// The same sheet twice, seen from below: without and with the adapter for two-sided light.
+/// The same open bowl twice: without and with the adapter for two-sided light.
 pub(super) fn two_sided(canvas: &mut Frame<'_>) -> Drawn {
+    const PROFILE: &[(Scalar, Scalar)] = &[
+        (fx!(1), fx!(0.6)),
+        (fx!(0.95), fx!(0.2)),
+        (fx!(0.75), fx!(-0.2)),
+        (fx!(0.4), fx!(-0.45)),
+        (fx!(0), fx!(-0.52)),
+    ];
+    static BOWL: Mesh = shape!(lathe(32, PROFILE));
     let view = view(canvas)?;
-    let lamp = Light::new(vec3!(0, 1, 4), fx!(0.1), fx!(0.9))?;
+    let lamp = Light::new(vec3!(-1, 3, 2), fx!(0.2), fx!(0.8))?;
     let both = DrawOptions::new().with_cull(Cull::Nothing);
     canvas.clear(SLATE);
     let at = |x| {
-        let turn = Transform::rotate_y(deg!(20)) * Transform::rotate_x(deg!(-65));
-        view * Transform::translate(Vec3::new(x, fx!(0), fx!(0)))
-            * turn
-            * Transform::scale(fx!(0.6))
+        let place = Transform::translate(Vec3::new(x, fx!(0), fx!(0)));
+        view * place * Transform::scale(fx!(0.8))
     };
-    let [left, right] = [fx!(-0.8), fx!(0.8)].map(at);
-    let green = Flat::rgb(Rgb888::new(120, 200, 110));
-    canvas.draw_with(&both, &SHEET, &left, &green.lit(lamp));
-    canvas.draw_with(
-        &both,
-        &SHEET,
-        &right,
-        &green.lit(lamp.two_sided(Viewer::of(&right))),
-    );
+    let [left, right] = [fx!(-0.9), fx!(0.9)].map(at);
+    let green = Flat::rgb(Rgb888::new(130, 210, 120));
+    canvas.draw_with(&both, &BOWL, &left, &green.lit(lamp));
+    let two_sided = lamp.two_sided(Viewer::of(&right));
+    canvas.draw_with(&both, &BOWL, &right, &green.lit(two_sided));
     Ok(())
 }

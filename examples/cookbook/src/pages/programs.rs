@@ -29,7 +29,7 @@ pub(super) fn firmware(canvas: &mut Frame<'_>) -> Drawn {
     static RING: Mesh = shape!(torus(fx!(0.4), 24, 12));
     let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.5), fx!(20))?;
     let camera = Camera::look_at(vec3!(0, 2, 3), Vec3::ZERO, Vec3::Y)?;
-    let mvp = projection * camera * Transform::rotate_x(Rate::rpm(10).angle_at(700));
+    let mvp = projection * camera * Transform::rotate_x(Rate::rpm(10).angle_at(5_800));
     let light = Light::new(vec3!(1, 2, 3), fx!(0.3), fx!(0.7))?;
     canvas.clear(Rgb565::BLACK);
     canvas.draw(

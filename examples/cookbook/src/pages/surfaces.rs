@@ -13,8 +13,22 @@ use super::{
 };
 use crate::scenes::Frame;
 
+/// Three linked rings in one color each.
 pub(super) fn flat(canvas: &mut Frame<'_>) -> Drawn {
-    ring(canvas, &RING, &Flat::rgb(ORANGE))
+    static THIN: Mesh = shape!(torus(fx!(0.16), 48, 12));
+    canvas.clear(SLATE);
+    let colors = [
+        ORANGE,
+        Rgb888::new(245, 240, 225),
+        Rgb888::new(90, 160, 240),
+    ];
+    for (at, color) in (-1..).zip(colors) {
+        let place = Transform::translate(vec3!(0.95, 0, 0) * at);
+        let turn = Transform::rotate_x(Angle::from_degrees(55 + 60 * at));
+        let ring = view(canvas)? * place * turn * Transform::scale(fx!(0.8));
+        canvas.draw(&THIN, &ring, &Flat::rgb(color));
+    }
+    Ok(())
 }
 
 pub(super) fn face_colors(canvas: &mut Frame<'_>) -> Drawn {
@@ -85,20 +99,23 @@ static HALF: Mesh = {
 
 pub(super) fn mipmapped(canvas: &mut Frame<'_>) -> Drawn {
     let projection = Projection::perspective(deg!(50), canvas.frame_size(), fx!(0.25), fx!(100))?;
-    let camera = Camera::look_at(vec3!(0, 1.4, 0), vec3!(0, 0.2, -4), Vec3::Y)?;
+    let camera = Camera::look_at(vec3!(0, 3.4, 0), vec3!(0, 0.2, -6), Vec3::Y)?;
     canvas.clear(SLATE);
-    let left = projection * camera * Transform::translate(vec3!(-40, 0, 0));
-    // The joints are one texel wide.
-    let mut texels = [Rgb565::new(30, 54, 24); Mipmap::<Rgb565>::len(16, 16)];
-    for (at, texel) in texels.iter_mut().enumerate() {
-        if at / 16 % 4 == 0 || at % 4 == 0 {
-            *texel = Rgb565::new(6, 8, 8);
-        }
+    // A texture of 2x2 tiles with dark joints covers four units of the floor.
+    let large = Transform::scale(fx!(4));
+    let left = projection * camera * Transform::translate(vec3!(-160, 0, 0)) * large;
+    let mut texels = [Rgb565::default(); Mipmap::<Rgb565>::len(32, 32)];
+    for (at, texel) in texels[..32 * 32].iter_mut().enumerate() {
+        *texel = match (at / 32 % 16, at % 32 % 16) {
+            (0, _) | (_, 0) => Rgb565::new(5, 9, 7),
+            _ if at / 512 == at % 32 / 16 => Rgb565::new(31, 57, 25),
+            _ => Rgb565::new(9, 34, 22),
+        };
     }
-    let tiles = Textured::new(Mipmap::build(&mut texels, 16, 16)?);
+    let tiles = Textured::new(Mipmap::build(&mut texels, 32, 32)?);
     canvas.draw(&HALF, &left, &tiles);
     let smooth = tiles.mipmapped(&projection, canvas.frame_size())?;
-    canvas.draw(&HALF, &(projection * camera * Transform::IDENTITY), &smooth);
+    canvas.draw(&HALF, &(projection * camera * large), &smooth);
     Ok(())
 }
 

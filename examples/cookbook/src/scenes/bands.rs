@@ -4,8 +4,8 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
 use fixel::prelude::*;
 
-/// The number of rows of a band. With 320 columns, a band takes 10 KiB; a whole frame takes 300 KiB.
-const ROWS: u32 = 8;
+/// The number of pixels of a band. 8 rows of 320 take 10 KiB, with depths; a whole frame takes 300 KiB.
+const BAND: u32 = 320 * 8;
 
 static BALL: Mesh = shape!(sphere(32, 24));
 /// Stripes in four colors between white stripes, and white caps.
@@ -34,15 +34,15 @@ pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(),
     let sun = Light::new(vec3!(-2, 3, 3), fx!(0.35), fx!(0.65))?;
 
     // Collect the visible triangles once a frame. On a chip, the list and the memory are statics.
-    let mut list = Box::new(DrawList::<900, 900>::new());
+    let mut list = DrawList::<900, 900>::new();
     let triangles = list.prepare(&DrawOptions::new(), frame, &BALL, &mvp)?;
     let shader = Textured::new(&STRIPES).lit(sun);
 
     let Size { width, height } = frame;
-    let mut colors = vec![Rgb565::BLACK; (width * ROWS) as usize];
-    let mut depths = vec![0; (width * ROWS) as usize];
-    for first_row in (0..height).step_by(ROWS as usize) {
-        let pixels = (width * ROWS.min(height - first_row)) as usize;
+    let (mut colors, mut depths) = ([Rgb565::BLACK; BAND as usize], [0; BAND as usize]);
+    let rows = BAND / width;
+    for first_row in (0..height).step_by(rows as usize) {
+        let pixels = (width * rows.min(height - first_row)) as usize;
         let band = Canvas::band(&mut colors[..pixels], width, height, first_row)?;
         let mut band = band.with_depth(&mut depths[..pixels])?;
         // Each band has its own background, so that you can see the bands.

@@ -23,7 +23,7 @@ static SIDES: [(Angle, [usize; 2], [u16; 2]); 4] = [
     (deg!(270), [4, 8], [0xcb08, 0xaa46]),
 ];
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>, ms: u64) -> Result<(), Error> {
     let size = canvas.frame_size();
     let middle = size.width.cast_signed() / 2;
     let aspect = Scalar::try_from(size.width)? / Scalar::try_from(size.height)?;
@@ -36,7 +36,10 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let half = |x| Viewport::new(x, 0, size.width / 2, size.height);
     let newton = DrawOptions::new().with_viewport(half(middle)?);
     let affine = DrawOptions::new().with_viewport(half(0)?).with_mode(Affine);
-    let camera = Camera::look_at(vec3!(0.2, 0, -0.2), vec3!(0, -0.1, -9), vec3!(0.15, 1, 0))?;
+    // Each second, a step of one unit. The stones repeat on each unit, so the walk can begin again.
+    let step = Scalar::from((ms % 1000) as i16) / 1000;
+    let eye = vec3!(0.2, 0, -0.2) - Vec3::Z * step;
+    let camera = Camera::look_at(eye, vec3!(0, -0.1, -9), vec3!(0.15, 1, 0))?;
     for &(angle, [width, height], colors) in &SIDES {
         let texels: [[Rgb565; 16]; 16] = core::array::from_fn(|row| {
             core::array::from_fn(|column| match [column % width, row % height] {

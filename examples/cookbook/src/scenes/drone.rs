@@ -18,11 +18,15 @@ static GATES: [(Vec3, Angle, Rgb888, &str); 3] = [
     (vec3!(-11.5, 3.6, -26), deg!(50), BLUE, "28 m"),
 ];
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>, ms: u64) -> Result<(), Error> {
     let size = canvas.frame_size();
     let projection = Projection::perspective(deg!(60), size, fx!(0.25), fx!(100))?;
-    let nose_down = Transform::translate(vec3!(0, 2.6, 0)) * Transform::rotate_x(deg!(-6));
-    let view = projection * Camera::at_pose(nose_down * Transform::rotate_z(deg!(14)));
+    // The drone sways: it rolls to the side to which it then flies.
+    let sway = Rate::millihertz(400).angle_at(ms);
+    let place = vec3!(0, 2.6, 0) + Vec3::X * (fx!(0.9) * sway.sin());
+    let roll = Transform::rotate_z(Angle::from_turns(fx!(0.039) * sway.cos()));
+    let pose = Transform::translate(place) * Transform::rotate_x(deg!(-6)) * roll;
+    let view = projection * Camera::at_pose(pose);
     let sun = Light::new(vec3!(1, 2, 1), fx!(0.4), fx!(0.6))?;
     let sky = Rgb565::new(20, 46, 28);
     let fog = Fog::linear(sky, fx!(4), fx!(42))?;

@@ -1,14 +1,20 @@
-//! An attitude indicator (a ball in 3D) between two gauges drawn by embedded-graphics.
+//! An attitude indicator and a speedometer: rims, ball, needle and marks are meshes.
 
-use embedded_graphics::geometry::{AngleUnit, Dimensions, Point, Size};
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10, ascii::FONT_7X13};
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
-use embedded_graphics::primitives::{Arc, Line, Primitive as _, PrimitiveStyle};
-use embedded_graphics::{Drawable, text::Alignment, text::Text};
-use fixel::Window;
-use fixel::prelude::*;
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
+use embedded_graphics::text::{Alignment, Baseline, Text, TextStyle, TextStyleBuilder};
+use embedded_graphics::{Drawable, geometry::Point};
+use fixel::{Window, prelude::*};
 
 static BALL: Mesh = shape!(sphere(32, 24));
+static RIM: Mesh = shape!(torus(fx!(0.05), 64, 8));
+static NEEDLE: Mesh = shape!(cone(12));
+static MARK: Mesh = shape!(cuboid(vec3!(0.02, 0.07, 0.01)));
+const CENTERED: TextStyle = TextStyleBuilder::new()
+    .alignment(Alignment::Center)
+    .baseline(Baseline::Middle)
+    .build();
+
 /// Sky above ground, and a line every 10 degrees (every 7 rows of the texture).
 static SKIN: [[Rgb565; 64]; 128] = {
     let mut texels = [[Rgb565::CSS_DODGER_BLUE; 64]; 128];
@@ -25,35 +31,42 @@ static SKIN: [[Rgb565; 64]; 128] = {
     texels
 };
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
-    let (Size { width, height }, center) = (canvas.frame_size(), canvas.bounding_box().center());
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>, ms: u64) -> Result<(), Error> {
+    let size = canvas.frame_size();
+    let aspect = Scalar::try_from(size.width)? / Scalar::try_from(size.height)?;
+    let window = Window::centered(aspect * 5 / 2, fx!(2.5));
+    let view = Projection::orthographic(window, fx!(-2), fx!(2))? * Transform::IDENTITY;
+    let sun = Light::new(vec3!(-1, 2, 3), fx!(0.3), fx!(0.7))?;
+    let of = |r, g, b| Flat::rgb(Rgb888::new(r, g, b)).lit(sun);
+    let sway = Rate::millihertz(400).angle_at(ms) + deg!(140);
     canvas.clear(Rgb565::new(2, 4, 3));
-    let aspect = Scalar::try_from(width)? / Scalar::try_from(height)?;
-    let window = Window::centered(aspect * 5 / 2, fx!(2.5)); // the ball is 2 units wide
-    let projection = Projection::orthographic(window, fx!(-1), fx!(1))?;
-    let ball = projection * Transform::rotate_z(deg!(-20)) * Transform::rotate_x(deg!(10));
-    let sun = Light::new(vec3!(0, 1, 2), fx!(0.4), fx!(0.6))?;
-    canvas.draw(&BALL, &ball, &Textured::new(&SKIN).lit(sun));
-    let (ring, gauge) = (height * 7 / 8, width.saturating_sub(height) / 2);
-    let stroke = |color, part| PrimitiveStyle::with_stroke(color, 1 + height / part);
-    for degrees in [-150_i16, -135, -120, -110, -100, -80, -70, -60, -45, -30] {
-        let tick = Arc::with_center(center, ring, f32::from(degrees).deg(), f32::deg(1.));
-        tick.into_styled(stroke(Rgb565::WHITE, 30)).draw(canvas)?;
+
+    let [left, right] = [vec3!(-0.83, 0, 0), vec3!(0.83, 0, 0)].map(Transform::translate);
+    for place in [left, right] {
+        let upright = Transform::rotate_x(deg!(90)) * Transform::scale(fx!(0.78));
+        canvas.draw(&RIM, &(view * place * upright), &of(150, 155, 165));
     }
-    let font = [&FONT_6X10, &FONT_7X13][usize::from(height > 100)];
-    let white = MonoTextStyle::new(font, Rgb565::WHITE);
-    for (side, text, sweep) in [(-1, "118\nKT", 160.), (1, "84\nRPM", 110.)] {
-        let at = |x: u32| center + Point::new(side * x.cast_signed(), 0);
-        let (wing, middle) = (
-            Line::new(at(height / 8), at(height / 3)),
-            at((width + ring) / 4),
-        );
-        wing.into_styled(stroke(Rgb565::YELLOW, 80)).draw(canvas)?;
-        for (sweep, color) in [(240., Rgb565::CSS_DIM_GRAY), (sweep, Rgb565::CSS_LIME)] {
-            let arc = Arc::with_center(middle, gauge, f32::deg(150.), f32::deg(sweep));
-            arc.into_styled(stroke(color, 40)).draw(canvas)?;
+    let bank = Transform::rotate_z(Angle::from_turns(fx!(0.07) * sway.sin()));
+    let ball = left * bank * Transform::rotate_x(deg!(12)) * Transform::scale(fx!(0.68));
+    canvas.draw(&BALL, &(view * ball), &Textured::new(&SKIN).lit(sun));
+
+    // From 0 to 200 knots, the needle turns by 270 degrees.
+    let turn = |knots| Transform::rotate_z(Angle::from_turns((fx!(100) - knots) * 3 / 800));
+    let font = [&FONT_4X6, &FONT_6X10][usize::from(size.height > 100)];
+    let style = MonoTextStyle::new(font, Rgb565::WHITE);
+    for (step, name) in (0..).zip(["0", "", "50", "", "100", "", "150", "", "200"]) {
+        let dial = right * turn(fx!(25) * step);
+        let mark = dial * Transform::translate(vec3!(0, 0.64, 0));
+        canvas.draw(&MARK, &(view * mark), &Flat::new(Rgb565::WHITE));
+        let place = dial.point(vec3!(0, 0.45, 0));
+        if let Some(at) = canvas.viewport().project(place, &view) {
+            Text::with_text_style(name, Point::zero(), style, CENTERED)
+                .draw(&mut canvas.label(at))?;
         }
-        Text::with_alignment(text, middle, white, Alignment::Center).draw(canvas)?;
     }
+    let shape =
+        Transform::translate(vec3!(0, 0.22, 0.1)) * Transform::scale_axes(vec3!(0.06, 0.4, 0.06));
+    let needle = right * turn(fx!(110) + fx!(40) * sway.cos()) * shape;
+    canvas.draw(&NEEDLE, &(view * needle), &of(255, 70, 50));
     Ok(())
 }

@@ -48,10 +48,11 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let mut positions = [Vec3::ZERO; UP.len()]; // one bird at a time
     for (i, share) in (0..5).zip(["0", "1/4", "1/2", "3/4", "1"]) {
         let bird = STROKE.blend(fx!(0.25) * i, &mut positions, &mut [])?;
-        let place = vec3!(-2.2, 0, 2) + vec3!(1.3, 0.2, -1.7) * i;
+        let place = vec3!(-3, -1.2, 1.2) + vec3!(1.5, 0.55, -0.8) * i;
         let mvp = view * Transform::translate(place) * Transform::rotate_y(deg!(140));
         canvas.draw_with(&both_sides, &bird, &mvp, &white);
-        if let Some(at) = screen.project(place - vec3!(-0.75, 1.7, 0), &view) {
+        // The number stands below the bird's body.
+        if let Some(at) = screen.project(place + vec3!(0.3, -0.6, 0), &view) {
             Text::new(share, Point::zero(), text).draw(&mut canvas.label(at))?;
         }
     }

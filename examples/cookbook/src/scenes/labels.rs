@@ -2,7 +2,7 @@
 
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_4X6, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
-use embedded_graphics::{Drawable, geometry::Point, text::Text};
+use embedded_graphics::{Drawable, geometry::Point, text::Alignment, text::Text};
 use fixel::canvas::TestOnly;
 use fixel::prelude::*;
 
@@ -11,8 +11,8 @@ static RING: Mesh = shape!(torus(fx!(0.002), 96, 3));
 static ORBIT: Outline = outline!(RING, deg!(180));
 /// Names, distances from the sun, places in their orbits, colors.
 static PLANETS: [(&str, Scalar, Angle, Rgb888); 4] = [
-    ("Mercury", fx!(2.1), deg!(345), Rgb888::new(190, 170, 150)),
-    ("Venus", fx!(2.9), deg!(137), Rgb888::new(240, 200, 120)),
+    ("Mercury", fx!(2.1), deg!(325), Rgb888::new(190, 170, 150)),
+    ("Venus", fx!(2.9), deg!(113), Rgb888::new(240, 200, 120)),
     ("Earth", fx!(3.9), deg!(190), Rgb888::new(80, 140, 255)),
     ("Mars", fx!(4.8), deg!(245), Rgb888::new(240, 100, 60)),
 ];
@@ -21,7 +21,7 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
     let frame = canvas.frame_size();
     let fov = [deg!(46), deg!(34)][usize::from(frame.width > 3 * frame.height / 2)];
     let projection = Projection::perspective(fov, frame, fx!(0.5), fx!(50))?;
-    let view = projection * Camera::look_at(vec3!(0, 2.8, 10), vec3!(0, 0, 0.4), Vec3::Y)?;
+    let view = projection * Camera::look_at(vec3!(0, 4.6, 9.4), vec3!(0, 0, 0.3), Vec3::Y)?;
     let options = DrawOptions::new();
     canvas.clear(Rgb565::new(0, 1, 3));
     let sun = view * Transform::scale(fx!(1.3));
@@ -43,11 +43,12 @@ pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), 
 
     // A name has the place and the depth of its planet, but the same size at any distance.
     let font = [&FONT_4X6, &FONT_6X10][usize::from(frame.height > 100)];
-    let offset = frame.height.cast_signed() / 20;
+    let above = Point::new(0, frame.height.cast_signed() / -12);
     for &(name, distance, angle, color) in &PLANETS {
         let style = MonoTextStyle::new(font, color.into());
         if let Some(at) = canvas.viewport().project(place(distance, angle), &view) {
-            Text::new(name, Point::new(offset, -offset), style).draw(&mut canvas.label(at))?;
+            let text = Text::with_alignment(name, above, style, Alignment::Center);
+            text.draw(&mut canvas.label(at))?;
         }
     }
     Ok(())

@@ -1,6 +1,5 @@
 //! Small scenes, one idea each. Each scene is a function that draws on any canvas of type [`Frame`].
 
-#[cfg(not(target_os = "none"))]
 mod bands;
 mod blending;
 mod corridor;
@@ -11,7 +10,6 @@ mod files;
 mod fog;
 mod hello;
 mod hidden;
-#[cfg(not(target_os = "none"))]
 mod instruments;
 mod keyframes;
 mod labels;
@@ -23,7 +21,6 @@ mod normals;
 mod packed;
 mod painter;
 mod panels;
-#[cfg(not(target_os = "none"))]
 mod picking;
 mod points;
 mod quantized;
@@ -48,21 +45,36 @@ pub type Frame<'c> = Canvas<'c, Rgb565, Native, LinearDepth>;
 /// A function that draws a scene.
 pub type Draw = fn(&mut Frame<'_>) -> Result<(), Error>;
 
-/// The scenes by name.
+/// A function that draws a moment of a scene that moves. The time is in milliseconds.
+#[cfg(not(target_os = "none"))]
+pub type Move = fn(&mut Frame<'_>, u64) -> Result<(), Error>;
+
+/// The scenes that move, by name, and the milliseconds after which they repeat.
+#[cfg(not(target_os = "none"))]
+pub const MOVING: &[(&str, Move, u64)] = &[
+    ("corridor", corridor::draw, 1000),
+    ("drone", drone::draw, 2500),
+    ("files", files::draw, 4000),
+    ("instruments", instruments::draw, 2500),
+    ("packed", packed::draw, 4000),
+    ("picking", picking::draw, 4000),
+    ("terrain", terrain::draw, 2000),
+    ("toon", toon::draw, 2000),
+];
+
+/// The scenes by name. Those that move are drawn at the time 0.
 pub const SCENES: &[(&str, Draw)] = &[
-    #[cfg(not(target_os = "none"))] // allocates a vector for its band
     ("bands", bands::draw),
     ("blending", blending::draw),
-    ("corridor", corridor::draw),
+    ("corridor", |canvas| corridor::draw(canvas, 0)),
     ("cut_out", cut_out::draw),
     ("detail", detail::draw),
-    ("drone", drone::draw),
-    ("files", files::draw),
+    ("drone", |canvas| drone::draw(canvas, 0)),
+    ("files", |canvas| files::draw(canvas, 0)),
     ("fog", fog::draw),
     ("hello", hello::draw),
     ("hidden", hidden::draw),
-    #[cfg(not(target_os = "none"))] // draws arcs of embedded-graphics, which need floats
-    ("instruments", instruments::draw),
+    ("instruments", |canvas| instruments::draw(canvas, 0)),
     ("keyframes", keyframes::draw),
     ("labels", labels::draw),
     ("lights", lights::draw),
@@ -70,11 +82,10 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("mipmaps", mipmaps::draw),
     ("mirror", mirror::draw),
     ("normals", normals::draw),
-    ("packed", packed::draw),
+    ("packed", |canvas| packed::draw(canvas, 0)),
     ("painter", painter::draw),
     ("panels", panels::draw),
-    #[cfg(not(target_os = "none"))] // formats a text, which allocates
-    ("picking", picking::draw),
+    ("picking", |canvas| picking::draw(canvas, 0)),
     ("points", points::draw),
     ("quantized", quantized::draw),
     ("sky", sky::draw),
@@ -82,8 +93,8 @@ pub const SCENES: &[(&str, Draw)] = &[
     ("sprites", sprites::draw),
     ("stencil", stencil::draw),
     ("smooth", smooth::draw),
-    ("terrain", terrain::draw),
-    ("toon", toon::draw),
+    ("terrain", |canvas| terrain::draw(canvas, 0)),
+    ("toon", |canvas| toon::draw(canvas, 0)),
     #[cfg(not(target_os = "none"))] // starts a thread
     ("two_cores", two_cores::draw),
     ("windmill", windmill::draw),

@@ -14,13 +14,14 @@ static SILHOUETTES: Outline = include_outline!("../../../assets/lighthouse.obj",
 const PIXELS: &[u8] = include_bytes!("../../../assets/lighthouse.rgb565");
 static SKIN: Raw<Rgb565> = Raw::checked(Raw::new(PIXELS, 128, 128));
 
-pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
+pub fn draw(canvas: &mut Canvas<'_, Rgb565, Native, LinearDepth>, ms: u64) -> Result<(), Error> {
     let (width, height) = SIZE;
     let (mut grays, mut depths) = ([Gray8::new(0); 128 * 64], [0; 128 * 64]);
     let mut gray = Canvas::new(&mut grays, width, height)?.with_depth(&mut depths)?;
     let projection = Projection::perspective(deg!(37), SIZE, fx!(1), fx!(50))?;
     let camera = Camera::look_at(vec3!(2.4, 3.1, 8.4), vec3!(-0.7, 1.5, 0), Vec3::Y)?;
-    let view = projection * camera;
+    let turn = Rate::millihertz(250).angle_at(ms);
+    let view = projection * camera * fixel::Transform::rotate_y(turn);
     let light = Light::new(vec3!(-1, 1, 1), fx!(1), fx!(0.2))?;
     let skin = Textured::new(SKIN).converted().lit(light);
     gray.draw(&ISLAND, &view, &skin);

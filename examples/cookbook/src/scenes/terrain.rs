@@ -17,10 +17,13 @@ fn ground_at(x: Scalar, z: Scalar) -> Scalar {
 /// The number of pixels of a band. Colors and depths of a band take 20 KiB; on a chip, they are statics.
 const BAND: u32 = 320 * 16;
 
-pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>) -> Result<(), Error> {
+pub fn draw(display: &mut Canvas<'_, Rgb565, Native, LinearDepth>, ms: u64) -> Result<(), Error> {
     let Size { width, height } = display.frame_size();
     let projection = Projection::perspective(deg!(45), (width, height), fx!(0.5), fx!(60))?;
-    let view = projection * Camera::look_at(vec3!(-8, 5.2, 13), vec3!(0, -0.5, 0), Vec3::Y)?;
+    let sway = Rate::millihertz(500).angle_at(ms);
+    let aside = Vec3::new(fx!(2) * sway.sin(), fx!(0.8) * sway.cos(), fx!(0));
+    let eye = vec3!(-8, 4.4, 13) + aside;
+    let view = projection * Camera::look_at(eye, vec3!(0, -0.5, 0), Vec3::Y)?;
     let positions: [Vec3; CORNERS] = core::array::from_fn(|at| {
         let place = |at: usize| Scalar::from(at as u8) * 3 / 4 - fx!(12);
         let (x, z) = (place(at % (SIDE + 1)), place(at / (SIDE + 1)));
