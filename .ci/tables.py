@@ -301,7 +301,7 @@ def names(instructions, other):
         for at, (page, name, caption) in enumerate(cells):
             if at % 4 == 0:
                 yield "<tr>"
-            link = f"https://docs.rs/fixel/latest/fixel/guide/cookbook/{page}"
+            link = f"https://fixel-rs.github.io/fixel/doc/fixel/guide/cookbook/{page}"
             yield (f'<td align="center"><a href="{link}"><img src="examples/assets/{name}.webp" width="200" '
                    f'alt="{caption}"></a><br>{caption}<br><sub>STM32F4: {frames(name)} frames a second, '
                    f'{kb(other[f"recipe {name} RAM"])} KB</sub></td>')

@@ -4,9 +4,8 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use embedded_graphics::geometry::OriginDimensions;
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use webp::{AnimEncoder, AnimFrame, WebPConfig};
 
 /// How much of the pictures a file keeps.
@@ -14,7 +13,7 @@ use webp::{AnimEncoder, AnimFrame, WebPConfig};
 pub enum Quality {
     /// Each pixel.
     Exact,
-    /// What can be seen. The animation of the garden has 0.8 MB; with each pixel, it would have 3.8 MB.
+    /// What can be seen, twice as large. The animation of the garden would have 3.8 MB with each pixel.
     Visible,
 }
 
@@ -25,30 +24,35 @@ pub fn save(
     rate: u64,
     quality: Quality,
 ) -> Result<(), Box<dyn Error>> {
-    let size = pictures.first().map(OriginDimensions::size);
-    let size = size.ok_or("an animation needs a frame")?;
     let mut config = WebPConfig::new().map_err(|()| "libwebp has another version")?;
-    match quality {
-        Quality::Exact => (config.lossless, config.quality, config.method) = (1, 75., 4),
-        Quality::Visible => {
-            (config.use_sharp_yuv, config.quality) = (1, 75.);
-            config.method = 6; // the slowest, for the smallest file
+    let scale = match quality {
+        Quality::Exact => {
+            (config.lossless, config.quality, config.method) = (1, 75., 4);
+            1
         }
-    }
-    let pixels = |picture: &SimulatorDisplay<Rgb565>| {
-        let image = picture.to_rgb_output_image(&OutputSettings::default());
-        image.as_image_buffer().to_vec() // red, green and blue of each pixel
+        Quality::Visible => {
+            (config.use_sharp_yuv, config.quality) = (1, 30.);
+            config.method = 6; // the slowest, for the smallest file
+            2
+        }
     };
-    let frames: Vec<Vec<u8>> = pictures.iter().map(pixels).collect();
-    let mut encoder = AnimEncoder::new(size.width, size.height, &config);
+    let settings = OutputSettingsBuilder::new().scale(scale).build();
+    let images = pictures
+        .iter()
+        .map(|picture| picture.to_rgb_output_image(&settings));
+    let images: Vec<_> = images.collect();
+    let (width, height) = (images.first().ok_or("an animation needs a frame")?)
+        .as_image_buffer()
+        .dimensions();
+    let mut encoder = AnimEncoder::new(width, height, &config);
+    // Red, green and blue of each pixel.
+    let frames: Vec<_> = images
+        .iter()
+        .map(|image| image.as_image_buffer().to_vec())
+        .collect();
     for (frame, number) in frames.iter().zip(0..) {
         let milliseconds = i32::try_from(number * 1000 / rate)?;
-        encoder.add_frame(AnimFrame::from_rgb(
-            frame,
-            size.width,
-            size.height,
-            milliseconds,
-        ));
+        encoder.add_frame(AnimFrame::from_rgb(frame, width, height, milliseconds));
     }
     let file = encoder
         .try_encode()

@@ -324,7 +324,7 @@ fn tints_of_a_picture_are_bounded() {
     let count = (0..6).filter(|_| model.texture(&material, &files).is_some());
     // 2^26 texels.
     assert_eq!(count.count(), 4);
-    let note = "cannot read texture a.tga: with it, the textures have 83886080 pixels: too many: its faces have one color";
+    let note = "cannot read texture a.tga: with it, the textures have 83886080 pixels: too many; its faces have one color";
     assert_eq!(notes(&model)[0], note);
 }
 
