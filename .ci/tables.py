@@ -288,7 +288,7 @@ def names(instructions, other):
                    f'STM32F4 at 168 MHz, {kb(ram)} KB of RAM." }};')
 
     def grid():
-        """Animations of recipes in four columns: page and anchor, name, caption."""
+        """Animations of recipes in two columns, which fit on a phone: page and anchor, name, caption."""
         cells = [("scenes/index.html#terrain", "terrain", "Terrain in fog"),
                  ("surfaces/index.html#modes", "corridor", "Two modes"),
                  ("light/index.html#cartoon", "toon", "Cartoon"),
@@ -299,13 +299,13 @@ def names(instructions, other):
                  ("scenes/index.html#instruments", "instruments", "Instruments")]
         yield "<table>"
         for at, (page, name, caption) in enumerate(cells):
-            if at % 4 == 0:
+            if at % 2 == 0:
                 yield "<tr>"
             link = f"https://fixel-rs.github.io/fixel/doc/fixel/guide/cookbook/{page}"
-            yield (f'<td align="center"><a href="{link}"><img src="examples/assets/{name}.webp" width="200" '
+            yield (f'<td align="center"><a href="{link}"><img src="examples/assets/{name}.webp" width="320" '
                    f'alt="{caption}"></a><br>{caption}<br><sub>STM32F4: {frames(name)} frames a second, '
                    f'{kb(other[f"recipe {name} RAM"])} KB</sub></td>')
-            if at % 4 == 3:
+            if at % 2 == 1:
                 yield "</tr>"
         yield "</table>"
 
