@@ -67,7 +67,7 @@ pub fn view(size: (u32, u32)) -> Result<Mvp, Error> {
     let (near, far) = (fx!(1.9), fx!(3.95));
     let projection = if size.0 < size.1 {
         let width = fx!(1.38309); // 2 · 1.9 tan 20°
-        let height = width.to_bits() * size.1 as i32 / size.0 as i32;
+        let height = width.to_bits() * size.1.cast_signed() / size.0.cast_signed();
         let window = Window::centered(width, Scalar::from_bits(height));
         Projection::frustum(window, near, far)?
     } else {
