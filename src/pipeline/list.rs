@@ -269,10 +269,10 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// | scene | wrong pixels | list | millions of instructions with depth | sorted |
     /// |---|--:|--:|--:|--:|
     /// | sphere | 0 | 17.1 KiB | 2.07 | 2.31 |
-    /// | two rings around a cube | 0 | 13.9 KiB | 1.36 | 1.56 |
-    /// | 27 towers, after the floor | 0 | 5.0 KiB | 2.63 | 0.94 |
-    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 4.14 | 4.66 |
-    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 7.77 | 8.37 |
+    /// | two rings around a cube | 0 | 13.9 KiB | 1.25 | 1.55 |
+    /// | 27 towers, after the floor | 0 | 4.2 KiB | 2.56 | 0.87 |
+    /// | island with a lighthouse | 0.40 % | 19.1 KiB | 4.03 | 4.52 |
+    /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 7.66 | 8.23 |
     /// <!-- end -->
     ///
     /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and
