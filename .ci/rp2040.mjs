@@ -1,8 +1,8 @@
 // Runs a program on an emulated RP2040, from the second-stage boot loader on, with a model of the panel on its pins:
 // examples/boards/emulator/pico.js. .ci/install.py installs rp2040js there.
 //
-//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--no-cs] [--short] [--slow CORE] [--fault NAME]
-//         [--profile FILE]
+//     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--landscape] [--no-cs] [--short] [--slow CORE]
+//         [--fault NAME] [--profile FILE]
 //
 // The program is an ELF file or a UF2.
 //
@@ -12,6 +12,7 @@
 //
 // --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
 //            instant: the bus takes no time, so that only the processors' time remains
+// --landscape  the panel is an ST7789 of 240x320 pixels, turned to 320x240
 // --no-cs    the panel's CS is tied low, and the program's pin is not wired
 // --short    measures only one frame
 // --slow     this core takes three times as long, so that the cores finish their bands in another order
@@ -29,7 +30,7 @@ const fail = message => { console.error(message); exit(1); };
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    bus: { type: 'string' }, 'no-cs': { type: 'boolean' }, short: { type: 'boolean' }, slow: { type: 'string' },
+    bus: { type: 'string' }, landscape: { type: 'boolean' }, 'no-cs': { type: 'boolean' }, short: { type: 'boolean' }, slow: { type: 'string' },
     fault: { type: 'string' }, profile: { type: 'string' },
   },
 });
@@ -39,9 +40,12 @@ const PERIODS = options.short ? 1 : options.fault || options['no-cs'] || options
 const LAST = FIRST + PERIODS;
 if (positionals.length !== 2) fail('rp2040.mjs PROGRAM PICTURE.ppm [OPTION ...]');
 const [program, picture] = positionals;
-const noCs = { pins: { ...ST7789.pins, cs: undefined } };
+const changes = {
+  ...(options.landscape && { size: [240, 320], rotation: 1 }),
+  ...(options['no-cs'] && { pins: { ...ST7789.pins, cs: undefined } }),
+};
 
-const pico = new Pico(readFileSync(program), options['no-cs'] ? noCs : {});
+const pico = new Pico(readFileSync(program), changes);
 const { chip, panel } = pico;
 const { bus: spi, module } = panel;
 const { clock, dma } = chip;
