@@ -30,8 +30,8 @@ const fail = message => { console.error(message); exit(1); };
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    bus: { type: 'string' }, landscape: { type: 'boolean' }, 'no-cs': { type: 'boolean' }, short: { type: 'boolean' }, slow: { type: 'string' },
-    fault: { type: 'string' }, profile: { type: 'string' },
+    bus: { type: 'string' }, landscape: { type: 'boolean' }, 'no-cs': { type: 'boolean' },
+    short: { type: 'boolean' }, slow: { type: 'string' }, fault: { type: 'string' }, profile: { type: 'string' },
   },
 });
 // From frame FIRST on, PERIODS frames are measured. The picture is the last one.
