@@ -263,12 +263,12 @@ def names(instructions, other):
         """Frames a second of a Pico."""
         return f"{125e6 / other[what]:.0f}"
 
-    def ram(name, program=None):
+    def ram(name):
         """Bands, other statics and stack, in KB."""
-        return kb(other[f"{program or name} RAM"] + other[f"{name} stack"])
+        return kb(other[f"{name} RAM"] + other[f"{name} stack"])
 
-    def board(name, program=None):
-        return f"{cells(rate, [f'{name} gaps', f'{name} instant'])} | {ram(name, program)}"
+    def board(name):
+        return f"{cells(rate, [f'{name} gaps', f'{name} instant'])} | {ram(name)}"
 
     def estimated_board(name, mhz):
         alone = mhz * 1e6 / 1.5 / other[f"{name} instructions"]
