@@ -102,7 +102,7 @@ pub mod models {}
 /// <style>.docblock pre.rust { font-size: 15px }</style>
 pub mod light {}
 
-/// Textures near and far; glass, mirrors and shadows; depth tests for what is hidden.
+/// Textures near and far; glass, mirrors and shadows; and depth tests that show hidden surfaces.
 ///
 /// The line below each picture gives the [costs](crate::guide::cookbook#what-a-recipe-costs) of a frame of 320x240
 /// pixels. The frames a second are an estimate.

@@ -7,9 +7,9 @@
 //! ```
 //!
 //! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. MODULE is the name of a
-//! module with a display, and after commas what is different: `st7789,rotation=1,cs=none`. Without a model, the UF2's
-//! own model is kept. Without `-o`, the bytes go to standard output. Before it writes, the command says what the model
-//! costs on the board.
+//! module with a display. After the name, commas separate values that replace the module's own, as in
+//! `st7789,rotation=1,cs=none`. If you give no model, the new UF2 has the model of the old one. Without `-o`, the bytes
+//! go to standard output. Before it writes, the command says what the model costs on the board.
 
 use std::error::Error;
 use std::fs::{self, File};

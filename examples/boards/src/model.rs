@@ -19,9 +19,9 @@ pub struct Scene<'a> {
     size: (u32, u32),
     model: Result<Model<'a>, String<128>>,
     view: Mvp,
-    /// What is left out, and the light on the rest: the sun on fronts, and then on backs. The normals of backs point
-    /// away from the viewer, so their light comes from the other side. Drawing the sides apart costs less than
-    /// `two_sided`, which computes the light of a vertex for each triangle.
+    /// For fronts and then for backs: the side to leave out, and the sun. A back has the normal of its front, so its sun
+    /// shines from the other side. Two draw calls cost less than `two_sided`, which computes the light of a vertex for
+    /// each triangle.
     sides: [(Cull, Light); 2],
 }
 

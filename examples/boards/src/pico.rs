@@ -295,7 +295,7 @@ fn output(num: u32) -> Option<Output> {
     Some(output)
 }
 
-/// What is needed to set up the display.
+/// The parts of the chip that set up the display, and its module.
 struct SetUp<'a> {
     module: &'a Module,
     frequency: HertzU32,

@@ -71,7 +71,7 @@ pub enum Controller {
     Ili9488 = 4,
 }
 
-/// The wires of examples/boards: bus, DC and CS are those of many boards with a panel.
+/// The wires of examples/boards. Many boards with a panel have the same pins for bus, DC and CS.
 const WIRES: Wires = Wires {
     clock: 18,
     data: 19,
@@ -324,7 +324,7 @@ impl Module {
     ///
     /// # Errors
     ///
-    /// What is wrong with it.
+    /// The first value that no program can use.
     pub fn check(&self) -> Result<(), ModuleProblem> {
         use ModuleProblem as Problem;
         self.controller().ok_or(Problem::Controller)?;
@@ -465,7 +465,7 @@ impl fmt::Display for ModuleProblem {
 
 #[cfg(feature = "write")]
 impl Module {
-    /// Reads the name of a module, and after commas what is different: `pico-display,rotation=3,light=none`.
+    /// Reads the name of a module and, after commas, values that replace its own: `pico-display,rotation=3,light=none`.
     ///
     /// # Errors
     ///

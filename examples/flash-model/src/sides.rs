@@ -34,7 +34,7 @@ pub fn cull(
         let is_two_sided = material.is_none_or(|material| material.two_sided);
         (is_two_sided, material.is_some_and(&has_holes))
     };
-    // What is seen through holes is not looked for: such surfaces keep their backs, and hide nothing.
+    // A surface with holes keeps its backs, and hides nothing: nobody looks through its holes here.
     let (mut fronts, mut candidates, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
     for at in 0..model.triangles.len() {
         let surface = surfaces.of(at);

@@ -1,4 +1,4 @@
-//! Modules by name, and what is different from them.
+//! Modules by name, and values that replace theirs.
 
 use flash_model::{Module, NO_PIN};
 

@@ -240,7 +240,7 @@ impl Stage<'_> {
     }
 }
 
-/// What is drawn in a style.
+/// Draws one or more frames in a style.
 type Draw<'a> = dyn FnMut(&Style<'_>) -> Result<()> + 'a;
 
 /// Stretches the grays of `colors` from black to white, and returns the contrast. The darkest and the brightest

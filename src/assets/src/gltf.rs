@@ -557,8 +557,11 @@ impl<'a> Reader<'a> {
             None => &Value::Null,
         };
         let (_, texture) = surface(material);
-        let texture = Some(texture).filter(|texture| texture.is_object());
-        let texture = texture.unwrap_or(&material["emissiveTexture"]);
+        let texture = if texture.is_object() {
+            texture
+        } else {
+            &material["emissiveTexture"]
+        };
         let uvs = self.uvs(attributes, texture, count)?;
         let colors = self.attribute::<3>(&attributes["COLOR_0"], count)?;
         if material["alphaMode"]

@@ -370,8 +370,11 @@ impl Model {
         }
         let farthest = largest(low).max(largest(high));
         // With the middle of the model at the origin, all positions fit at every scale up to `fine`.
-        let fits = farthest * enough.abs() < 32_767.0;
-        let center = ["center, ", ""][usize::from(fits)];
+        let center = if farthest * enough.abs() < 32_767.0 {
+            ""
+        } else {
+            "center, "
+        };
         let merged = apart.saturating_sub(kept);
         Some(format!(
             "{merged} of {apart} positions become equal to others when rounded to 1/65536: {center}scale = {enough} keeps them apart"

@@ -218,8 +218,8 @@ impl Model {
             light,
         };
         // Materials that share a picture mostly follow each other. A file can have too many to compare them all.
-        let last = (0..self.images.len()).rev().take(1024);
-        let known = { last }.find(|&at| self.images[at] == image);
+        let mut last = (0..self.images.len()).rev().take(1024);
+        let known = last.find(|&at| self.images[at] == image);
         if known.is_none() {
             self.images.push(image);
         }

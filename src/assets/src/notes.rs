@@ -42,7 +42,11 @@ impl Notes {
             1 => sentence.clone(),
             _ => format!("{sentence} ({times} times)"),
         });
-        let more = ["", ", …"][usize::from(self.left_out.len() == MOST)];
+        let more = if self.left_out.len() == MOST {
+            ", …"
+        } else {
+            ""
+        };
         let left_out = format!("not drawn: {}{more}", self.left_out.join(", "));
         let others = format!("there are {} other notes", self.others);
         sentences

@@ -20,7 +20,7 @@ const MOST: usize = 1 << 18;
 /// The most lists of values that are read from such a file: 16 megabytes, each list counting at least as 64 bytes.
 const LISTS: usize = (16 << 20) / 64;
 
-/// Files in memory that count what is done with them.
+/// Files in memory. They count reads, searches and steps.
 struct Counted {
     files: Memory,
     reads: Cell<usize>,

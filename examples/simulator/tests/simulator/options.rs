@@ -63,7 +63,7 @@ const CONTRADICTIONS: &str = "\
 --near 0.1 | --projection orthographic
 --far 100 | --projection cabinet";
 
-/// The options that are not about the picture: they change what is printed or written.
+/// These options change the files or the output, not the picture.
 const OUTPUTS: &[&str] = &[
     "--bands",
     "--out",
