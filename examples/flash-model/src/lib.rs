@@ -25,6 +25,9 @@ mod cost;
 #[cfg(feature = "write")]
 mod count;
 mod header;
+#[cfg(feature = "write")]
+#[path = "../../common/layers.rs"]
+mod layers;
 mod module;
 mod painted;
 mod problem;

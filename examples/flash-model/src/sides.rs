@@ -1,4 +1,4 @@
-//! Finds the faces whose backs nobody sees.
+//! Finds the faces whose backs nobody sees, and refuses faces that cover each other too often.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,11 +8,15 @@ use fixel::shade::FaceColors;
 use fixel_assets::vector::{cross, dot, sub};
 use fixel_assets::{Material, Model};
 
+use crate::layers;
+
 /// The numbers of the rows and columns of the pictures in which backs are looked for.
 const SIDE: u32 = 240;
 /// The number of these pictures, and the time between two of them: a turn of 10 seconds.
 const VIEWS: u64 = 40;
 const STEP_MS: u64 = 250;
+/// The most layers of faces: a Pico then draws a frame in about two seconds.
+const MOST_LAYERS: u64 = 50;
 /// The most triangles of a mesh whose triangles share no corner.
 const MOST: usize = 65_535 / 3;
 
@@ -130,6 +134,49 @@ impl Surfaces {
     }
 }
 
+/// Refuses a model whose faces cover the picture so often that to draw them would take long.
+///
+/// # Errors
+///
+/// The message says how often, and how often they may.
+pub fn check(model: &Model, scale: f64, z_up: bool) -> Result<(), String> {
+    let layers = layers(model, scale, z_up).map_err(|error| error.to_string())?;
+    layers::check(layers, MOST_LAYERS, "")
+}
+
+/// Returns how often the faces cover the picture, at most, while the model turns.
+fn layers(model: &Model, scale: f64, z_up: bool) -> Result<u64, Error> {
+    let all: Vec<usize> = (0..model.triangles.len()).collect();
+    let (places, corners) = (places(model, &all, scale, z_up)?, corners());
+    let meshes = places.chunks(3 * MOST);
+    let meshes = meshes.map(|places| Mesh::new(places, &corners[..places.len() / 3]));
+    let meshes: Vec<Mesh<'_>> = meshes.collect::<Result<_, _>>()?;
+    let mut most = 0;
+    for time in (0..VIEWS).step_by(10) {
+        let mvp = crate::view((SIDE, SIDE))? * crate::turn(time * STEP_MS);
+        most = most.max(layers::count(&meshes, &mvp, (SIDE, SIDE))?);
+    }
+    Ok(most)
+}
+
+/// The positions of the corners of some faces, as a board draws them.
+fn places(model: &Model, faces: &[usize], scale: f64, z_up: bool) -> Result<Vec<Vec3>, Error> {
+    let middle = model.middle();
+    let corners = faces.iter().flat_map(|&face| model.triangles[face].corners);
+    let places = corners.map(|corner| {
+        let [x, y, z] = sub(model.positions[corner.position as usize], middle);
+        let turned = if z_up { [x, z, -y] } else { [x, y, z] };
+        Vec3::try_from(turned.map(|x| x * scale))
+    });
+    places.collect()
+}
+
+/// The faces of a mesh whose triangles share no corner.
+fn corners() -> Vec<[u16; 3]> {
+    let firsts = (0..=u16::MAX).step_by(3).take(MOST);
+    firsts.map(|at| [at, at + 1, at + 2]).collect()
+}
+
 /// Returns those of the faces `backs` whose backs are seen before the fronts of the faces `fronts`, while the model turns
 /// on a panel.
 fn visible(
@@ -143,20 +190,9 @@ fn visible(
     if backs.is_empty() {
         return Ok(seen);
     }
-    let middle = model.middle();
-    let mesh = |faces: &[usize]| -> Result<Vec<Vec3>, Error> {
-        let corners = faces.iter().flat_map(|&face| model.triangles[face].corners);
-        let places = corners.map(|corner| {
-            let [x, y, z] = sub(model.positions[corner.position as usize], middle);
-            let turned = if z_up { [x, z, -y] } else { [x, y, z] };
-            Vec3::try_from(turned.map(|x| x * scale))
-        });
-        places.collect()
-    };
-    let [front_places, back_places] = [mesh(fronts)?, mesh(backs)?];
-    let corners: Vec<[u16; 3]> = (0..MOST as u16)
-        .map(|at| [3 * at, 3 * at + 1, 3 * at + 2])
-        .collect();
+    let front_places = places(model, fronts, scale, z_up)?;
+    let back_places = places(model, backs, scale, z_up)?;
+    let corners = corners();
     let mut pixels = vec![Rgb888::BLACK; (SIDE * SIDE) as usize];
     let mut depths = vec![0; pixels.len()];
     for time in 0..VIEWS {

@@ -60,6 +60,7 @@ pub fn write(
     let mut skins = Skins::new(&mut model, files);
     let scale = fitting(&model);
     let z_up = Format::of(path) == Some(Format::Stl);
+    sides::check(&model, scale, z_up).map_err(of_model)?;
     let has_holes = |material: &Material| skins.has_holes(material);
     sides::cull(&mut model, has_holes, scale, z_up).map_err(|error| of_model(error.to_string()))?;
     model.complete();

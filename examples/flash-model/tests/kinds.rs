@@ -36,3 +36,26 @@ fn the_writer_says_what_the_other_readers_say() {
         assert_eq!(said, wanted, "{:?}", kind.files);
     }
 }
+
+/// The writer draws the model to find what is seen, and a board draws hidden faces, too.
+#[test]
+fn faces_that_cover_the_picture_too_often_are_refused() {
+    for (count, is_refused) in [(100, false), (20_000, true)] {
+        let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_string() + &"f 1 2 3\n".repeat(count);
+        let files = Memory([("same.obj".into(), obj.into_bytes())].into());
+        let written = write(
+            "same.obj",
+            &files,
+            None,
+            Board::Pico,
+            Module::ILI9341,
+            &mut Vec::new(),
+        );
+        let refusal = written.err().unwrap_or_default();
+        assert_eq!(
+            refusal.contains("at most 50 times"),
+            is_refused,
+            "{refusal}"
+        );
+    }
+}

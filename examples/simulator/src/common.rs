@@ -3,6 +3,8 @@
 // What only other examples use.
 #![allow(dead_code)]
 
+#[path = "../../common/layers.rs"]
+pub mod layers;
 #[path = "../../common/lighthouse/scenery.rs"]
 pub mod lighthouse;
 #[path = "../../common/scenes.rs"]

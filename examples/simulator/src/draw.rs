@@ -13,7 +13,7 @@ use fixel::{Cull, Drawn};
 use fixel_assets::Alpha as Meaning;
 
 use super::Result;
-use super::common::lighthouse;
+use super::common::{layers, lighthouse};
 use super::look::{Backdrop, Look};
 use super::mode::{Mode, in_mode};
 use super::paint::{self, Shown, Skin};
@@ -225,6 +225,16 @@ impl AnyMvp {
     /// The viewer's position.
     pub fn viewer(&self) -> Viewer {
         either!(self, |mvp| Viewer::of(mvp))
+    }
+
+    /// How often a pixel of a picture of this size is drawn by all faces of the pieces, on average.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn layers(&self, pieces: &[Piece<'_>], size: (u32, u32)) -> Result<u64> {
+        let meshes = pieces.iter().map(|piece| &piece.mesh);
+        Ok(either!(self, |mvp| layers::count(meshes, mvp, size))?)
     }
 }
 

@@ -4,6 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixel::{Cull, Drawn};
 
 use super::Result;
+use super::common::layers;
 use crate::args::{Args, Shade};
 use crate::draw::{Lines, Style};
 use crate::dump::Record;
@@ -11,6 +12,10 @@ use crate::scene::{Moment, Scene};
 
 /// The largest side of the small pictures that are drawn only to count colors.
 const SMALL: u32 = 256;
+/// The most frames in which the layers of faces are counted, and the most layers. Models that people draw have a few. With
+/// so many, a picture of 320x240 pixels takes about a fifth of a second.
+const VIEWS: u32 = 4;
+const MOST_LAYERS: u64 = 200;
 
 /// What the first frame shows, and the lines to be drawn.
 pub struct Sight {
@@ -32,6 +37,12 @@ pub fn covered(records: &[Record]) -> usize {
 /// Nothing is visible in any frame. The message says why, and what to do.
 pub fn check(scene: &mut Scene<'_>, args: &Args, notes: &mut Vec<String>) -> Result<Sight> {
     let is_wire = scene.shade == Some(Shade::Wire);
+    let views = (0..args.frames).step_by(args.frames.div_ceil(VIEWS) as usize);
+    for frame in views {
+        let mvp = scene.motion.mvp(Moment::of(frame))?;
+        let layers = mvp.layers(&scene.pieces, args.size)?;
+        layers::check(layers, MOST_LAYERS, ", or move away with --eye")?;
+    }
     let look = |scene: &Scene<'_>, frame, cull, edges| {
         scene.record(args.size, u32::MAX, Moment::of(frame), edges, cull)
     };

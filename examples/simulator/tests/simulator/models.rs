@@ -91,6 +91,51 @@ fn a_model_of_many_points_is_drawn_in_parts() {
     assert_eq!(printed(&said, "triangles"), (299 * 299 * 2).to_string());
 }
 
+/// The triangle with corners 0,0,0 and 1,0,0 and 0,1,0, in many nodes.
+const INSTANCES: &str = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [INDICES]}], "nodes": [NODES],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36,
+"uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#;
+
+/// Hidden faces take time, too, so the viewer bounds the pixels that it draws, whatever the model: faces may be the same,
+/// parallel and seen at their edges in the first frame, or instances of a mesh.
+#[test]
+fn faces_that_cover_the_picture_too_often_are_refused() {
+    let bench = Bench::new("layers");
+    let same = |count: usize| TRIANGLE.to_string() + &"f 1 2 3\n".repeat(count);
+    let parallel = |count: usize| {
+        let mut obj = String::new();
+        for k in 0..count {
+            let x = f64::from(u32::try_from(k).unwrap()) * 1e-5;
+            writeln!(obj, "v {x} -1 -1\nv {x} -1 1\nv {x} 1 0\nf -3 -2 -1").unwrap();
+        }
+        obj
+    };
+    let instances = |count: usize| {
+        let indices: Vec<_> = (0..count).map(|index| index.to_string()).collect();
+        INSTANCES
+            .replace("INDICES", &indices.join(","))
+            .replace("NODES", &vec![r#"{"mesh":0}"#; count].join(","))
+    };
+    let turning = "--eye 0,0,3 --frames 8 --out turning.gif";
+    let counts = [100, 10_000];
+    for (name, [good, bad], options) in [
+        ("same.obj", counts.map(same), ""),
+        ("parallel.obj", counts.map(parallel), "--eye 3,0,0"),
+        ("turning.obj", counts.map(parallel), turning),
+        ("instances.gltf", counts.map(instances), ""),
+    ] {
+        bench.write(name, good);
+        bench.good(format!("{name} {options} --size 64x48"));
+        let _ = fs::remove_file(bench.path("turning.gif"));
+        bench.write(name, bad);
+        let says = ["faces cover the picture", "at most 200 times", "--eye"];
+        bench.refused(format!("{name} {options}"), &says);
+    }
+}
+
 #[test]
 fn messages_name_what_a_file_is_and_name_it_once() {
     let bench = Bench::new("named");
