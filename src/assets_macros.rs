@@ -172,3 +172,22 @@ macro_rules! include_texture {
         $crate::__assets! { texture $crate $($input)* }
     };
 }
+
+/// The notes of the reader are warnings of the compiler, which `#[allow(deprecated)]` silences.
+///
+/// ```compile_fail
+/// #![deny(warnings)]
+/// use fixel::prelude::*;
+/// pub static MODEL: Mesh = include_mesh!("../tests/models/bad_normal.obj");
+/// # fn main() {}
+/// ```
+///
+/// ```
+/// #![deny(warnings)]
+/// use fixel::prelude::*;
+/// #[allow(deprecated)]
+/// pub static MODEL: Mesh = include_mesh!("../tests/models/bad_normal.obj");
+/// # fn main() {}
+/// ```
+#[cfg(doctest)]
+struct Warnings;
