@@ -274,6 +274,10 @@ def names(instructions, other):
         alone = mhz * 1e6 / 1.5 / other[f"{name} instructions"]
         return f"{1e6 / other[f'{name} us']:.0f} | {alone:.0f} | {ram(name)}"
 
+    def alone(name):
+        """Frames of a mesh that an STM32F4 at 168 MHz draws in a second, at 1.5 cycles for each instruction."""
+        return whole(168e6 / 1.5 / mesh_cost(name, (M4, "3")))
+
     def frames(name):
         """Frames a second that an STM32F4 at 168 MHz draws of a recipe, at 1.5 cycles for each instruction."""
         rate = 168e6 / 1.5 / other[f"recipe {name} instructions"]
