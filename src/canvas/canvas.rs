@@ -19,7 +19,7 @@ use crate::view::Viewport;
 /// Largest width and height of a frame, in pixels.
 const MAX_SIZE: u32 = 2048;
 
-/// Your memory as a picture: a frame, or a band of a frame (some of its rows), that draw calls write to.
+/// Your memory as a picture that draw calls write to: a frame, or a band of a frame (some of its rows).
 ///
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/band.svg"))]
 ///
@@ -60,8 +60,8 @@ const MAX_SIZE: u32 = 2048;
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// The type `Canvas<Rgb565>` has no depth buffer. For a function that draws on a canvas with a depth buffer, write the
-/// whole type of the canvas, or a generic type:
+/// The type `Canvas<Rgb565>` has no depth buffer. A function that takes a canvas with a depth buffer must name the
+/// canvas's whole type, or be generic:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -216,8 +216,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         Size::new(self.width, self.height)
     }
 
-    /// The viewport of the whole frame. Draw calls project to it unless their options name another one. It also tells
-    /// where points and meshes are on the screen: see [`Viewport::project`].
+    /// The viewport of the whole frame. Draw calls project to this viewport unless their options name another. The
+    /// viewport also tells where points and meshes are on the screen: see [`Viewport::project`].
     #[must_use]
     pub const fn viewport(&self) -> Viewport {
         Viewport::whole(self.frame_size())
@@ -294,7 +294,7 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
     /// frame.
     ///
     /// For a canvas of [`ColorIndex`](super::ColorIndex), `color` looks up each color in a palette. A gray canvas can
-    /// be dithered once the whole frame is drawn and its [`Contrast`](super::Contrast) is known:
+    /// be dithered after the whole frame is drawn, when its [`Contrast`](super::Contrast) is known:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{BinaryColor, Gray8, GrayColor};
@@ -330,8 +330,8 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
     /// least significant bit.
     ///
     /// 8 rows form a *page*. A page has one byte for each column, from the left. Pages follow each other from the top,
-    /// and the first row of the canvas is the first row of a page. So begin each band at a multiple of 8, and give it
-    /// 8, 16, … rows. If the last page of a band has fewer than 8 rows, its other bits are 0.
+    /// and the first row of the canvas is the first row of a page. So begin each band at a row that is a multiple of 8,
+    /// and give the band 8, 16, … rows. If the last page of a band has fewer than 8 rows, its other bits are 0.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::BinaryColor;
@@ -366,7 +366,7 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
 }
 
 impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Sets every pixel to `color` and every depth, if there is a depth buffer, to infinity.
+    /// Sets every pixel to `color` and, if there is a depth buffer, every depth to infinity.
     ///
     /// embedded-graphics' [`DrawTarget::clear`] does the same.
     pub fn clear(&mut self, color: C) {

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU8};
 
-/// A canvas's color that is an index into a palette: a pixel of a colored picture takes one byte.
+/// A color that is an index into a palette, so that a pixel of a colored picture takes one byte.
 ///
 /// Draw calls write indices to the canvas. A [`map`](crate::Shader::map) makes indices from a shader's colors, and
 /// [`Canvas::show_with`](super::Canvas::show_with) looks up the colors of the palette:

@@ -81,7 +81,7 @@ pub trait DepthBuffer: Sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NoDepth {}
 
-/// Depth in equal steps of 1/w: floor(65535 · near / w). The default.
+/// Depth in equal steps of 1/w, where w is the distance: the stored number is floor(65535 · near / w). The default.
 ///
 /// `LinearDepth` is the finest format at distances up to 8 · near, and the coarsest at 16 · near and beyond. At a
 /// distance w, a step is w / (65535 · near) of this distance. Keep the far plane at most 500 times as far away as the
@@ -100,12 +100,12 @@ pub enum LinearDepth {}
 
 /// Depth in floating point, with 4 bits of exponent and 12 of mantissa, for a ratio far/near of up to 65,536.
 ///
-/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each halving of 1/w
-/// lowers the stored depth by 4096. If a surface is at least 65,536 times as far away as the near plane, its depth is
-/// stored as 0.
+/// A step is 2⁻¹³ to 2⁻¹² of the distance (0.012 to 0.024 %) everywhere in the range, because each doubling of the
+/// distance lowers the stored depth by 4096. If a surface is at least 65,536 times as far away as the near plane, its
+/// depth is stored as 0.
 ///
-/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
-/// than 3,000 times as far away as its near end, this error exceeds half a step at the far end.
+/// Within one triangle, 1/distance is interpolated with an error of 2⁻²⁴ of its largest value. If a triangle's far end
+/// is more than 3,000 times as far away as its near end, this error exceeds half a step at the far end.
 ///
 /// On Cortex-M4, a tested fragment takes 7 to 9 instructions more than with [`LinearDepth`]. In the default mode,
 /// drawing the benchmark's floor, cube and sphere takes 12 to 26 % more instructions. On Cortex-M0+, which has no
@@ -125,11 +125,11 @@ pub enum FloatDepth {}
 /// Depth in floating point, with 5 bits of exponent and 11 of mantissa, for every ratio far/near that a
 /// [`Projection`](crate::Projection) accepts.
 ///
-/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %) up to 2³² · near. These steps are twice as coarse as the
-/// steps of [`FloatDepth`], at the same cost.
+/// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %), up to a distance of 2³² · near. These steps are twice as
+/// coarse as the steps of [`FloatDepth`], at the same cost.
 ///
-/// Within one triangle, the error of the interpolated 1/w is 2⁻²⁴ of its largest value. If a triangle's far end is more
-/// than 6,000 times as far away as its near end, this error exceeds half a step at the far end.
+/// Within one triangle, 1/distance is interpolated with an error of 2⁻²⁴ of its largest value. If a triangle's far end
+/// is more than 6,000 times as far away as its near end, this error exceeds half a step at the far end.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

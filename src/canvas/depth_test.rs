@@ -133,7 +133,7 @@ depth_tests! {
         /// with [`Multiply`](super::Multiply) or [`Opacity`](super::Opacity), darkens each pixel once.
         /// [`Biased::coplanar`] moves the shadow in front of the ground.
         ///
-        /// Why three units: rounding makes depths in one plane differ by up to three, where the depth changes by at
+        /// Why three units: rounding makes depths in one plane differ by up to three units, if the depth changes by at
         /// most 256 units from pixel to pixel. (A corner is rounded by 1/512 pixel along each axis, which moves depths
         /// by one unit, and depths are rounded down.)
         ///
@@ -222,8 +222,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// How much farther depths move toward the eye on a slope: this number times the depth difference between
-    /// neighboring pixels.
+    /// An additional movement toward the eye on slopes: this number times the depth difference between neighboring
+    /// pixels.
     pub slope: Scalar,
 }
 
@@ -242,13 +242,13 @@ pub struct Bias {
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` units of the stored depth and by `slope` times the depth difference between
     /// neighboring pixels. (This is the greater of two differences: to the next pixel in the row, and to the next in
-    /// the column.) Positive values move a surface nearer. Depths saturate at both ends.
+    /// the column.) Positive values move a surface nearer. Depths saturate at both ends of their range.
     ///
     /// For an edge of an [outline](crate::Mesh::outline), the difference is the greatest of several: along the line,
-    /// and on each of the edge's two faces that is not culled. On the screen, a face may be many times as narrow as a
-    /// pixel. So the difference on a face is limited to the difference between its nearest and its farthest corner, or
-    /// to twice as much if the edge is not a crease: on a round body, pixels of the edge may lie over the next face,
-    /// which is farther away.
+    /// and on each of the edge's two faces that is not culled. On the screen, a face may be much narrower than a pixel.
+    /// So the difference on a face is limited to the difference between its nearest and its farthest corner, or to
+    /// twice as much if the edge is not a crease: on a round body, pixels of the edge may lie over the next face, which
+    /// is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self { test, steps, slope }
