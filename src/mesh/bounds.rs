@@ -5,10 +5,10 @@ use crate::math::Vec3;
 
 /// A box with sides parallel to the axes of model space, such as the smallest one around a mesh.
 ///
-/// A mesh [keeps](Mesh::with_bounds) its box, so that drawing a mesh out of view takes no longer than a test.
+/// A mesh [keeps](Mesh::with_bounds) its box, so that a draw call ends after one test if the mesh is out of view.
 /// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the canvas,
-/// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) tells which pixels these may be.
-/// If the box is stored in a `static`, the compiler computes it:
+/// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) tells which pixels these may be. If the
+/// box is stored in a `static`, the compiler computes it:
 ///
 /// ```
 /// use fixel::mesh::Bounds;
@@ -61,8 +61,8 @@ impl Mesh<'_> {
     ///
     /// Meshes of [`shape!`](crate::shape), [`include_mesh!`](crate::include_mesh) and [`checked`](Self::checked) have
     /// their [`bounds`](Self::bounds) from the start. For positions that are made while the program runs, such as
-    /// [keyframes](super::Keyframes), give a box around all positions that they can have. A position outside the box may
-    /// not be drawn.
+    /// [keyframes](super::Keyframes), give a box that contains all positions at all times. A position outside the box
+    /// may not be drawn.
     ///
     /// In a program that is optimized for size (`opt-level` "s" or "z"), draw calls do not test boxes;
     /// [`is_in_view`](crate::Canvas::is_in_view) does.

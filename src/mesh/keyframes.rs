@@ -15,7 +15,7 @@ use crate::num::wide::product;
 /// `static`, the compiler checks them, and the flash holds only the positions and normals of the second mesh.
 ///
 /// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: at a
-/// time of 3.25 steps, `STEPS[3].blend(fx!(0.25), …)`.
+/// time of 3.25 steps, call `STEPS[3].blend(fx!(0.25), …)`.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

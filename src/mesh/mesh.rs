@@ -15,9 +15,9 @@ use crate::message;
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/winding.svg"))]
 ///
 /// Texture coordinates, normals and colors are attributes. An attribute has one value per position, or `faces` of its
-/// own: three indices per triangle, as in an OBJ file. A position may then have another value in each triangle, and a
-/// corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The corners of a front face run counter-clockwise
-/// as seen by the viewer.
+/// own: three indices per triangle, as in an OBJ file. A position may then have a different value in each triangle, and
+/// a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The corners of a front face run
+/// counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///
@@ -49,7 +49,7 @@ impl<'a> Mesh<'a> {
     /// Exception: in a list of 65,536 values, this index is valid, and means the last value.
     pub const NO_VALUE: Index = Index::MAX;
 
-    /// The largest number of positions that an [`Index`] can address.
+    /// The largest number of positions of a mesh: an [`Index`] can address no more.
     ///
     /// ```
     /// use fixel::{Error, Mesh, Vec3};
@@ -59,7 +59,7 @@ impl<'a> Mesh<'a> {
     /// ```
     pub const MAX_POSITIONS: usize = Index::MAX as usize + 1;
 
-    /// A mesh of positions, and of triangles: for each, the indices of its three corners, counter-clockwise as seen
+    /// A mesh of positions and triangles. A triangle is the indices of its three corners, counter-clockwise as seen
     /// from outside.
     ///
     /// # Errors
@@ -76,11 +76,11 @@ impl<'a> Mesh<'a> {
     /// for bit, as 32-bit positions with the same values. With 14 fraction bits, for example, 16-bit positions range
     /// from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. Let s be the slope x/w or y/w at
-    /// which the position is seen: on the screen, the rounding moves it by up to √3/2 · (1 + s) units times focal
-    /// length / w. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this bound is 0.008 pixels.
-    /// Transforming a 16-bit position takes more instructions than transforming a 32-bit position: 7 more on Cortex-M4,
-    /// and about 10 more on Cortex-M0+.
+    /// Rounding to these units moves a position by up to half a unit along each axis. Let w be the position's distance,
+    /// and s the slope x/w or y/w at which it is seen. On the screen, the rounding moves the position by up to √3/2 ·
+    /// (1 + s) units times focal length / w. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this
+    /// bound is 0.008 pixels. Transforming a 16-bit position takes more instructions than transforming a 32-bit
+    /// position: 7 more on Cortex-M4, and about 10 more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `quantized`; [`Mesh::quantized_positions`] converts the positions of any mesh.
@@ -126,8 +126,8 @@ impl<'a> Mesh<'a> {
         ))
     }
 
-    /// A mesh of lists that are known to fit each other. To check them again would take most of the compiler's time. An
-    /// attribute without faces has one value per position.
+    /// A mesh of lists that are known to fit each other. The lists are not checked: for a mesh in a `static`, the
+    /// checks would take most of the compiler's time. An attribute without faces has one value per position.
     #[doc(hidden)]
     #[must_use]
     pub const fn of_lists(
@@ -299,8 +299,8 @@ impl<'a> Mesh<'a> {
         Self { colors, ..self }
     }
 
-    /// The mesh with normals and texture coordinates in fewer bits. The lists must fit the mesh, because they are not
-    /// checked. Lists of faces may be empty.
+    /// The mesh with normals of 8 bits, and texture coordinates of 8 or 16 bits. The lists are not checked, so they
+    /// must fit the mesh. An attribute with an empty list of faces has one value per position.
     #[doc(hidden)]
     #[must_use]
     pub const fn with_quantized_attributes(

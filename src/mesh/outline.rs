@@ -120,7 +120,7 @@ impl<'a> Outline<'a> {
         Ok(Self::of(edges, creases))
     }
 
-    /// The edges: creases first, then the others, each in the order of the mesh's faces. See [`new`](Self::new).
+    /// The edges: creases first, then the others, each group in the order of the mesh's faces. See [`new`](Self::new).
     #[must_use]
     pub const fn edges(&self) -> &'a [[Index; 4]] {
         self.edges

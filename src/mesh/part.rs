@@ -24,8 +24,9 @@ pub struct Material<'a> {
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
-    /// The texture's file name or, if the model contains the picture, the picture's name. If the surface sends out
-    /// light by a texture of its own, both textures are one picture: `image-5` is `include_texture!(…, image = 5)`.
+    /// The texture's file name or, if the model contains the picture, the picture's name. If a texture says how much
+    /// light the surface sends out, the picture contains this light, too, and has a name such as `image-5`:
+    /// `include_texture!(…, image = 5)` reads it.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,
@@ -46,8 +47,8 @@ pub struct Material<'a> {
 pub enum TextureAlpha {
     /// Alpha has no meaning: the texture is opaque.
     Ignored,
-    /// Texels with an alpha below this value are holes; all other texels are opaque. If the texture is converted to
-    /// [`Argb1555`](crate::texture::Argb1555), the value is always 128.
+    /// Texels with an alpha below this value are holes; all other texels are opaque. A conversion to
+    /// [`Argb1555`](crate::texture::Argb1555) always uses 128 in place of this value.
     Cut(u8),
     /// Alpha is the opacity of a texel: see [`Argb4444`](crate::texture::Argb4444).
     Blended,

@@ -60,17 +60,17 @@ use crate::num::{Angle, Scalar, TexCoord};
 ///
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
 /// have no backs. A sprite with neither an [axis](Self::with_axis) nor an [angle](Self::with_angles) is an upright
-/// rectangle on the screen. It is drawn as a single rectangle, which costs less and gives the same pixels and depths,
-/// and varyings (the numbers that the shader interpolates) that are as accurate. Three exceptions take the two
-/// triangles: a clipped rectangle, a shader with [values per face](crate::shade::PerFace) (as with mipmaps), and a
-/// varying that changes both across and down, as the light of a lamp does.
+/// rectangle on the screen. It is drawn as a single rectangle, which costs less than two triangles. Pixels and depths
+/// are the same, and varyings (the numbers that the shader interpolates) are as accurate. Two triangles are drawn if
+/// the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a
+/// varying changes both across and down, as the light of a lamp does.
 ///
 /// Every shader works with sprites, and sees them as a mesh in eye space, with normals that point toward the viewer.
 /// The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the sprite's
-/// position are accurate to 2⁻²⁶ of the longest offset, and less with an axis near the line of sight. The position and
-/// each corner are rounded to the nearest [`Scalar`]s in eye space. Let s be the slope x/w or y/w at which a corner is
-/// seen: the rounding moves it on the screen by at most 2⁻¹⁶ · (1 + s) · focal length / w pixels along each axis. A
-/// sprite with a corner beyond ±32,768 in eye space is not drawn.
+/// position are accurate to 2⁻²⁶ of the longest offset, and less accurate if the axis is near the line of sight. The
+/// position and each corner are rounded to the nearest [`Scalar`]s in eye space. Let w be a corner's distance, and s
+/// the slope x/w or y/w at which it is seen: the rounding moves the corner on the screen by at most 2⁻¹⁶ · (1 + s) ·
+/// focal length / w pixels along each axis. A sprite with a corner beyond ±32,768 in eye space is not drawn.
 ///
 /// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
 ///
@@ -201,9 +201,9 @@ impl<'a> Sprites<'a> {
         })
     }
 
-    /// Turns each sprite by an angle of its own, counter-clockwise about its [anchor](Self::with_anchor), in the plane of
-    /// its rectangle: a leaf in the wind, the needle of a compass. Sprites with angles have the type `Sprites<&[Angle]>`.
-    /// So a program without them contains no code for them.
+    /// Turns each sprite by an angle of its own, counter-clockwise about its [anchor](Self::with_anchor), in the plane
+    /// of its rectangle: a leaf in the wind, the needle of a compass. Sprites with angles have the type
+    /// `Sprites<&[Angle]>`. So a program without angles contains no code for them.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

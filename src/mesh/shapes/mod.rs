@@ -27,8 +27,8 @@ use writer::MeshWriter;
 ///
 /// All shapes are centered on the origin, except a lathe's. Shapes have positions, unit normals, texture coordinates
 /// from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as
-/// seen from outside. Where the texture or the normal jumps, positions repeat, except a cuboid's. To resize a shape,
-/// scale it with a [`Transform`](crate::Transform).
+/// seen from outside. Where the texture or the normal jumps, positions are stored more than once, except in a cuboid.
+/// To resize a shape, scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -95,8 +95,8 @@ impl Shape<'static> {
 
     /// A sphere of radius 1 with its poles on the y axis.
     ///
-    /// It has `slices` sides around the axis, starting at +z toward +x, and `stacks` rows from the upper pole to the
-    /// lower. The texture wraps around the sphere once.
+    /// It has `slices` sides around the axis, from +z toward +x, and `stacks` rows from the upper pole to the lower.
+    /// The texture wraps around the sphere once.
     ///
     /// # Errors
     ///
@@ -171,8 +171,8 @@ impl Shape<'static> {
         Self::of(surface, [slices, 0], &[parts("slices", slices, 3)])
     }
 
-    /// A horizontal disc of radius 1 at y = 0 that faces up, with `slices` sides. It shows a disc cut from the texture,
-    /// in the place where a [`plane`](Self::plane) shows it.
+    /// A horizontal disc of radius 1 at y = 0 that faces up, with `slices` sides. It shows a disc cut from the texture:
+    /// the part that a [`plane`](Self::plane) shows in this place.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -193,8 +193,8 @@ impl<'p> Shape<'p> {
     /// A surface of revolution: a profile, turned around the y axis in `slices` steps, as on a potter's wheel or a
     /// lathe.
     ///
-    /// The profile is a list of points (distance from the axis, height). List them as you see the right half of the
-    /// outside, from the top to the bottom. Where the list runs up, it describes an inside, like a cup's. The surface
+    /// The profile is a list of points (distance from the axis, height). List the points from the top to the bottom, as
+    /// you see the right half of the outside. Where the list runs up, it describes an inside, like a cup's. The surface
     /// is closed if the first and the last point are on the axis, or if they are the same.
     ///
     /// The surface is smooth. **A point that is repeated makes an edge there**; on the axis, it makes a tip. The texture
@@ -335,7 +335,7 @@ impl<'p> Shape<'p> {
 
 /// A mesh of a [`Shape`](crate::mesh::Shape), built at compile time and stored in flash.
 ///
-/// The argument is a constructor of `Shape` with constant arguments: [`cuboid`](crate::mesh::Shape::cuboid) (given half
+/// The argument is a constructor of `Shape` with constant arguments: [`cuboid`](crate::mesh::Shape::cuboid) (from half
 /// of its size), [`sphere`](crate::mesh::Shape::sphere), [`torus`](crate::mesh::Shape::torus),
 /// [`plane`](crate::mesh::Shape::plane), [`cylinder`](crate::mesh::Shape::cylinder),
 /// [`cone`](crate::mesh::Shape::cone), [`disc`](crate::mesh::Shape::disc) or [`lathe`](crate::mesh::Shape::lathe).
