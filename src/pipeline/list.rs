@@ -175,7 +175,7 @@ enum Corners {
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
-    /// The most vertices of a list, however long it is: 16-bit numbers count them, from 1.
+    /// The largest number of vertices that a list can hold, because vertices are counted in 16 bits, from 1.
     pub const MAX_VERTICES: usize = u16::MAX as usize;
 
     /// An empty list.
@@ -258,8 +258,9 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// painter's order. A canvas without a depth buffer then shows nearer triangles over farther ones.
     ///
     /// Triangles are compared by the farthest corners of their visible parts, with a precision of 2⁻²⁵ of the distance.
-    /// Triangles that are equally far away keep the order of the mesh, and of the objects. The method is heap sort,
-    /// which needs no further memory, and at most 2 n log₂ n comparisons for n visible triangles.
+    /// Triangles that are equally far away keep their order: in a mesh, the order of its faces or edges; between
+    /// objects, the order of the slice. The method is heap sort, which needs no further memory, and at most 2 n log₂ n
+    /// comparisons for n visible triangles.
     ///
     /// The table compares a sorted list with a depth buffer of 320x240 pixels, which takes 150 KiB. The numbers are
     /// means over eight poses of each scene, as the project's program `kernels painter` prints them. The instructions

@@ -33,8 +33,8 @@ pub struct ScreenPoint {
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// How near the point is: of two points under the same projection, the nearer one has the greater number. Its steps
-    /// are 2⁻²⁵ of the distance, finer than any depth buffer's.
+    /// How near the point is: of two points under the same projection, the nearer one has the greater number. The steps
+    /// of this number are 2⁻²⁵ of the distance, finer than in any depth buffer.
     pub nearness: u32,
 }
 
@@ -72,7 +72,7 @@ fn nearness(q: u32, down: u32) -> u32 {
 /// Questions about the screen that need no canvas, so you can ask them before you draw, or while another core draws.
 /// The viewport of a whole canvas is [`Canvas::viewport`].
 impl Viewport {
-    /// The screen position of a point of model space: bit for bit where a draw call to this viewport draws it.
+    /// The screen position of a point of model space, bit for bit as in a draw call to this viewport.
     ///
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048 pixels
     /// away from the viewport's center, horizontally or vertically. The position may lie outside the viewport.

@@ -52,8 +52,8 @@ pub struct Ray {
 pub struct Hit {
     /// The index of the face among the mesh's [`faces`](Mesh::faces).
     pub face: usize,
-    /// The point of the face, in model space. Its error is at most 2⁻²⁹ of the face's size before it is rounded to
-    /// nearest.
+    /// The point of the face, in model space. Before the point is rounded to nearest, its error is at most 2⁻²⁹ of the
+    /// face's size.
     pub point: Vec3,
     /// The distance of the point from the ray's origin, in the model's units, rounded to nearest; saturates.
     pub distance: Scalar,

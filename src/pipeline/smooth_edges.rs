@@ -30,16 +30,16 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// whatever drew them, and calls no shader. If the canvas has a depth buffer, it leaves out edges behind other
     /// surfaces. The result counts edges, as if [`mesh.outline`](Mesh::outline) were drawn.
     ///
-    /// An outline with creases above 180 degrees has silhouettes only. Add creases if the faces of a mesh differ in
-    /// color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between the same two
-    /// pixels, the silhouette counts.
+    /// With a crease angle of 180 degrees, an outline has silhouettes only. Use a smaller angle if the faces of a mesh
+    /// differ in color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between
+    /// the same two pixels, the silhouette counts.
     ///
-    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Beside edges, smoothing
-    /// removes 60 to 90 % of the error (against the mean of 64 samples a pixel), and least where faces are smaller than
-    /// a pixel. On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
+    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with the mean
+    /// of 64 samples a pixel, smoothing removes 60 to 90 % of the error beside edges; it removes least where faces are
+    /// smaller than a pixel. On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
     ///
-    /// Formats with at most 4 bits per channel are dithered. In black and white this shows little, so draw and smooth a
-    /// canvas of `Gray8`, and dither it when it is shown ([`show_with`](Self::show_with),
+    /// Formats with at most 4 bits per channel are dithered. In black and white, smoothing then shows little, so draw
+    /// and smooth a canvas of `Gray8`, and dither it when it is shown ([`show_with`](Self::show_with),
     /// [`show_diffused`](Canvas::show_diffused)).
     ///
     /// Each pixel is mixed once: a mixed pixel gets the nearest depth as a mark. So draw nothing with a depth test
@@ -47,9 +47,9 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// corner may be mixed twice.
     ///
     /// A pixel needs its neighbors, so edges may keep their stairs at the borders of the viewport, and in the top and
-    /// bottom row of a [band](Self::band). To prevent this in bands, let each reach one row further up and down than
-    /// the rows that are shown. With a depth buffer, bands then have the same bits as the whole frame. For many bands,
-    /// [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
+    /// bottom row of a [band](Self::band). To prevent this in bands, let each band reach one row further up and down
+    /// than the rows that are shown. With a depth buffer, bands then have the same bits as the whole frame. For many
+    /// bands, [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};

@@ -24,7 +24,7 @@ use crate::view::{AsMvp, ProjectionKind};
 /// them, so hidden lines are removed without a depth buffer. If a face and its edges are equally far away, the object
 /// that comes first in the slice is drawn first, so put the faces before the edges.
 ///
-/// Edges may be an [outline](Mesh::outline), but not anti-aliased.
+/// The edges may be those of an [outline](Mesh::outline). They cannot be anti-aliased.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -284,7 +284,7 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
         }
     }
 
-    /// The options of the list, for preparing and for drawing.
+    /// The options with which the list was prepared and is drawn.
     #[must_use]
     pub const fn options(&self) -> &O {
         &self.options

@@ -83,8 +83,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
     /// Returns a function like `shader_of`, whose shaders use the stored values: draw with these shaders in each band.
-    /// If there are no materials, call the function with `&()`. Drawn on anything else, these shaders compute their
-    /// values as usual.
+    /// If there are no materials, call the function with `&()`. For anything that is not in the list, these shaders
+    /// compute their values as usual.
     ///
     /// # Errors
     ///
