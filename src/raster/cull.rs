@@ -3,9 +3,10 @@
 /// Which triangles are left out: those that show their back, those that show their front, or none.
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
-/// matrix has a negative determinant), the corners of a front run clockwise instead. So a mirrored mesh also shows the
-/// outside of its faces: do not change the culling for a mirror, as programs for OpenGL do. Do not change it either for
-/// a [mirrored camera](crate::Camera::mirrored), or for the [shadow](crate::Transform::shadow) of a closed mesh.
+/// matrix has a negative determinant), fixel reverses this rule: the corners of a front then run clockwise. So a
+/// mirrored mesh still shows the outside of its faces. Leave the culling as it is for a mirror (OpenGL programs change
+/// it), for a [mirrored camera](crate::Camera::mirrored), and for the [shadow](crate::Transform::shadow) of a closed
+/// mesh.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

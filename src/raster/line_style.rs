@@ -8,12 +8,12 @@ use crate::num::Scalar;
 /// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// A line advances along its longer axis: x or y, whichever it extends farther along. At each pixel center that it
-/// passes, it draws a run of pixels across that axis: the pixels whose centers are at most half the width away from the
-/// line. A center exactly on the upper or left end of a run does not belong to it; a center on the lower or right end
-/// does. So a line of width n has n pixels in each run. A center at the left end of a line (in steep lines, the upper
-/// end) belongs to the line; a center at the right end (in steep lines, the lower end) does not. A line has the same
-/// pixels in both directions.
+/// A line advances along its longer axis: x or y, whichever changes more along the line. At each pixel center on its
+/// way, it draws a run of pixels at right angles to this axis: the pixels whose centers are at most half the width away
+/// from the line. A center exactly on the upper or left end of a run does not belong to it; a center on the lower or
+/// right end does. So a line of width n has n pixels in each run. A center at the left end of a line (in steep lines,
+/// the upper end) belongs to the line; a center at the right end (in steep lines, the lower end) does not. A line from
+/// a to b has the same pixels as a line from b to a.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws the pixel at an end only if the
@@ -64,12 +64,12 @@ use crate::num::Scalar;
 /// 1.3/256. Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels,
 /// hairlines look better.
 ///
-/// Depth and varyings change along the longer axis, as on a hairline; beyond an end, they have the values of the end.
+/// Depth and varyings change along the longer axis, as on a hairline; beyond an end, they have the values at the end.
 /// So a pixel may have the depth of a place on the line that is up to √2 · (width + 1)/2 pixels away. If a mesh hides
-/// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) by this number of pixels, as in the example below.
-/// Or draw the outline of the mesh `Biased` toward the eye by the same number. Draw smooth lines last, with
-/// [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the canvas, so a
-/// surface behind it that is drawn later does not show through.
+/// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) away from the eye, with this number as the slope,
+/// as in the example below. Or draw the outline of the mesh `Biased` toward the eye, with the same slope. Draw smooth
+/// lines last, with [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the
+/// canvas, so a surface behind it that is drawn later does not show through.
 ///
 /// If the draw options have a blending, it is applied first. Then the result covers the color on the canvas by the
 /// pixel's share.

@@ -64,7 +64,7 @@ impl PointStyle {
     ///
     /// # Errors
     ///
-    /// As for [`square`](Self::square).
+    /// The same as for [`square`](Self::square).
     pub const fn round(size: Scalar) -> Result<Self, Error> {
         Ok(Self {
             is_round: true,
