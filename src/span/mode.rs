@@ -187,13 +187,13 @@ impl Mode for Affine {
     const KERNEL: Plan = Plan::Straight;
 }
 
-/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess, on the line
-/// through the reciprocals at the two pixels before.
+/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess: it extends the
+/// line through the reciprocals at the two pixels before.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. The guess has a relative error of 2δ², and the
 /// Newton step squares it. With δ ≤ 2⁻⁶, the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ
 /// is drawn with a reciprocal at every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to a varying
-/// (for a texture coordinate, less than 0.0008 texels). [`Compact`]'s error comes on top.
+/// (for a texture coordinate, less than 0.0008 texels). The error of [`Compact`] is added to this.
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///
@@ -201,14 +201,15 @@ impl Mode for Affine {
 ///   if the error is at most 16 units.
 /// - A triangle that hardly changes in depth is drawn linearly if the error is within a tolerance. For a color, the
 ///   shader allows an eighth of a step ([`Varyings`](crate::shade::Varyings)). For a texture coordinate, the tolerance
-///   is 1/4096 texel, or 1/32 texel in a small triangle, whose width and height add up to at most 43 pixels. These are
-///   nearly all triangles of a model. [`Newton::NARROW`] allows only 1/4096 texel in small triangles, too.
+///   is 1/4096 texel, or 1/32 texel in a small triangle, whose width and height add up to at most 43 pixels. Nearly all
+///   triangles of a model are that small. [`Newton::NARROW`] allows only 1/4096 texel in small triangles, too.
 ///
 /// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
 /// edge. So bands have the same pixels as whole frames.
 ///
-/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]. There, relative to `Fast`, a pixel with
-/// a Newton step costs more than five times the instructions, and a frame of the measured cube about twice.
+/// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]. On such a core, `Newton` takes more
+/// than five times the instructions of `Fast` for a pixel with a Newton step, and about twice as many for a frame of
+/// the measured cube.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Newton};
@@ -365,8 +366,8 @@ impl Fast {
     /// 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces with an error of at most this many texels; the rounding error comes on top. With 0 or less, every pixel
-    /// divides.
+    /// Pieces with an error of at most this many texels, to which the rounding error is added. With 0 or less, every
+    /// pixel divides.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();
