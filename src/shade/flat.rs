@@ -81,8 +81,9 @@ impl<O: Output> Shader for Flat<O> {
 /// One color per triangle, in the order of the mesh's faces.
 ///
 #[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
-/// Drawn as edges, an edge has the color at [its index](crate::Primitive::edge). Points, and triangles and edges beyond
-/// the end of the list, have the list's last color. If the list is empty, everything is black (the color's default).
+/// If edges are drawn, an edge has the color at [its index](crate::Primitive::edge). Points, and triangles and edges
+/// beyond the end of the list, have the list's last color. If the list is empty, everything is black (the color's
+/// default).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};

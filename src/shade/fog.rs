@@ -54,13 +54,13 @@ use crate::sealed::Sealed;
 ///
 /// R is the triangle's range of distances: (the greatest distance of a corner + how far a corner lies behind the eye) /
 /// (the least distance that is drawn). For example, a floor from the near plane at 0.1 to a distance of 300 has an R of
-/// 3,000. In linear fog from 10 to 100, the product is 3,333. If a triangle breaks the condition, the error grows in
-/// proportion, and more where linear fog is cut: at 65,536 · (far − near) beyond `far`. Divide the triangle into
-/// smaller ones.
+/// 3,000. In linear fog from 10 to 100, R · far / (far − near) is then 3,333. If a triangle breaks the condition, the
+/// error grows in proportion, and more where linear fog is cut: at 65,536 · (far − near) beyond `far`. Divide such a
+/// triangle into smaller ones.
 ///
 /// For a plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. This adds an error of at most 1/64,
-/// and takes half of the time. If another adapter comes before or after the fog, such as a light or
+/// and halves the time of the blend. If another adapter comes before or after the fog, such as a light or
 /// [`dithered`](super::Shader::dithered), the share is not rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fog<C, D = LinearFog> {
@@ -213,8 +213,8 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
     /// Fog that is equally thick everywhere: at the distance z, the share e^(−`density` · z) of a surface remains
     /// visible.
     ///
-    /// At the greatest density, 5, a hundredth remains visible at a distance of 0.92. For a denser fog, make the scene
-    /// larger.
+    /// At the greatest density, 5, the share 1/100 remains visible at a distance of 0.92. For a denser fog, make the
+    /// scene larger.
     ///
     /// # Errors
     ///
@@ -262,7 +262,7 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
 }
 
 /// An output and a fog that are not blended yet. If no other adapter follows, a plain color of 15 or 16 bits is blended
-/// in 32 steps, by one product for all channels. Such a blend takes half of the time.
+/// in 32 steps, by one product for all channels. Such a blend takes half as long as a blend in full precision.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<O: Output, D> {

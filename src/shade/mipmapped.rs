@@ -131,7 +131,7 @@ impl<S: Sampler<Color: Blend>, const CLAMPED: bool> Textured<S, CLAMPED, Nearest
     /// two results, so that no edge is visible where a level ends.
     ///
     /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is rounded
-    /// down to 1/32 or 1/256 of a level, the unit of that method.
+    /// down to 1/32 of a level for colors of 16 bits, or to 1/256 for other colors.
     #[must_use]
     pub const fn trilinear(self) -> Textured<S, CLAMPED, Trilinear, Mipmapped> {
         Textured::of(self.texture, self.detail)

@@ -174,8 +174,8 @@ impl<C: PixelFormat> Output for Precise<C> {
 /// drawn later.
 ///
 /// For colors of 15 and 16 bits that are not [`Precise`], the covered share is rounded to 1/32, so the error is at most
-/// 1.1 steps in a 5-bit channel and 1.7 steps in a 6-bit channel. For other colors, the error is half a step. An
-/// opacity of 0 keeps the color on the canvas, and 255 replaces it.
+/// 1.1 steps in a 5-bit channel and 1.7 steps in a 6-bit channel. For other colors, the error is at most half a step.
+/// An opacity of 0 keeps the color on the canvas, and 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};

@@ -85,7 +85,8 @@ impl<C: PixelFormat> Precise<C> {
         Self::of_raised(each(levels, |level| level.wrapping_add(HALF)))
     }
 
-    /// Red, green and blue in steps of the format, with 16 fraction bits.
+    /// The levels of red, green and blue: steps of the format (in `Rgb565`, red has the steps 0 to 31), in units of
+    /// 1/65,536 step.
     #[must_use]
     #[inline]
     pub fn levels(self) -> [i32; 3] {

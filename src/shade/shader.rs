@@ -27,8 +27,8 @@ pub struct Fragment {
     pub depth: u16,
 }
 
-/// Colors a surface: it computes values at the corners of each triangle, and a pixel's color from the interpolated
-/// values.
+/// Colors a surface: a shader computes values at the corners of each triangle, and a pixel's color from the
+/// interpolated values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
 /// [`varyings`](Self::varyings) is called once for each triangle, edge or point that has pixels. For a clipped triangle

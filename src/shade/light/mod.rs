@@ -216,7 +216,7 @@ pub trait Lighting: Copy {
     /// [varyings](crate::shade::Varyings) that a shader may have.
     ///
     /// Only a [`Lamp`] can be shiny. [`colored`](Self::colored) and [`two_sided`](Self::two_sided) may come before or
-    /// after. Make each of several lights shiny before you put them together.
+    /// after `shiny`. Make each of several lights shiny before you put them together.
     ///
     /// # Errors
     ///
