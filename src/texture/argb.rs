@@ -77,7 +77,7 @@ impl Argb1555 {
     /// A hole.
     pub const HOLE: Self = Self(0);
 
-    /// A texel from its red, green and blue; only the low five bits of each are used.
+    /// An opaque texel from its red, green and blue; only the low five bits of each are used.
     #[must_use]
     pub const fn new(red: u8, green: u8, blue: u8) -> Self {
         let [r, g, b] = [red as u16 & 31, green as u16 & 31, blue as u16 & 31];

@@ -8,8 +8,8 @@ use super::Sampler;
 ///
 /// `indices` is any sampler of bytes, such as a reference to rows or a [`Texture<u8>`](super::Texture). For indices of
 /// four or two bits, use [`Raw<Gray4>`](super::Raw) or `Raw<Gray2>`. `colors` has 1 to 256 colors. An index beyond the
-/// last color shows the last color; with 256 colors, the default, no index needs this check, and it takes no time. To
-/// draw the same texture darker or in other colors, replace `colors`.
+/// last color shows the last color. With 256 colors, the default, there is no such index, and the check takes no time.
+/// To draw the same texture darker or in other colors, replace `colors`.
 ///
 /// [`include_texture!`](crate::include_texture) makes an `Indexed` texture from a picture with few colors.
 ///

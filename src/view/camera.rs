@@ -43,8 +43,8 @@ impl Camera {
     /// # Errors
     ///
     /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly parallel to the view
-    /// direction that the roll would be noise. An angle below 1.9e-7 radians (0.04 seconds of arc) is always refused;
-    /// an angle above 8e-6 radians never is.
+    /// direction that rounding errors would decide the roll. An angle below 1.9e-7 radians (0.04 seconds of arc) is
+    /// always refused; an angle above 8e-6 radians never is.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// Two vectors count as parallel if every component of their cross product is below this limit. The largest
         /// mantissa of each vector is from 2^29 to 2^30. So the product of the lengths is at least 2^58, and the limit
@@ -133,11 +133,11 @@ impl Camera {
     /// Returns the camera that shows what a mirror shows: the mirror image of the world, in the plane through `point` at
     /// right angles to `normal`.
     ///
-    /// Draw the scene twice: from this camera inside the mirror, and from `self` everywhere. The
-    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their outsides,
-    /// so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because the world
-    /// itself does not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things behind the
-    /// mirror would appear in front of it, so leave them out.
+    /// Draw the scene twice: from this camera in the mirror's pixels, and from `self` everywhere. The
+    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their
+    /// outsides, so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because
+    /// the world itself does not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things
+    /// behind the mirror would appear in front of it, so leave them out.
     ///
     /// # Errors
     ///

@@ -108,7 +108,8 @@ impl ProjectionRow {
 /// [Mathematics](crate::guide::mathematics::projection#a-matrix) derives the matrix from similar triangles.
 ///
 /// The coefficients of the matrix have 30 significant bits, whatever their size. Exception: where x or y of the picture
-/// also depends on z (an off-center window, an oblique projection), the smaller of the two coefficients can have fewer.
+/// also depends on z (an off-center window, an oblique projection), the smaller of the two coefficients can have fewer
+/// bits.
 ///
 /// ```
 /// use fixel::prelude::*;

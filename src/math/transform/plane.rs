@@ -7,8 +7,8 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::wide::{dot, product};
 
 impl Transform {
-    /// Makes the transform that presses a mesh flat onto the plane through `point` at right angles to `normal`, along the
-    /// rays of a distant light. Drawn dark, the result is the shadow of the mesh.
+    /// Makes the transform that presses a mesh flat onto the plane through `point` at right angles to `normal`, along
+    /// the rays of a distant light. Drawn dark, the flat mesh is the shadow.
     ///
     /// `light` points to the light, as in [`Light::new`](crate::Light::new). Both vectors may have any length except
     /// zero. For a lamp near the mesh, use the direction from the mesh to the lamp.
