@@ -85,7 +85,7 @@ impl Segment {
     /// Converts q, a fraction of the way along the picture, to t, the fraction of the way along the segment: t = q·w₀ /
     /// (w₁ − q·(w₁ − w₀)).
     ///
-    /// `None` in the same cases as [`distance`](Self::distance).
+    /// Returns `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn in_space(self, on_screen: Fraction) -> Option<Fraction> {
         let (a, b) = self.weights(on_screen);
@@ -95,7 +95,7 @@ impl Segment {
     /// Converts t, a fraction of the way along the segment, to q, the fraction of the way along the picture: q = t·w₁ /
     /// (w₀ + t·(w₁ − w₀)).
     ///
-    /// `None` in the same cases as [`distance`](Self::distance).
+    /// Returns `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn on_screen(self, in_space: Fraction) -> Option<Fraction> {
         // The inverse is the same formula with the distances exchanged.
@@ -109,7 +109,7 @@ impl Segment {
     /// Interpolates an attribute, `a` at the start and `b` at the end, at a fraction q of the picture:
     /// lerp(a/w₀, b/w₁, q) / lerp(1/w₀, 1/w₁, q).
     ///
-    /// `None` in the same cases as [`distance`](Self::distance).
+    /// Returns `None` in the same cases as [`distance`](Self::distance).
     #[must_use]
     pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Fraction) -> Option<Scalar> {
         let (at_start, at_end) = self.weights(on_screen);

@@ -30,8 +30,9 @@ use floats::{Real, Unit};
 /// assert_eq!(needle(fx!(1)), deg!(-45));
 /// ```
 ///
-/// So half of −90° is half of 270°: 135°. For a negative sweep, subtract the product, or multiply by a negative number.
-/// A sweep of a whole turn is `Angle::from_turns(value)`, because `deg!(360)` is 0.
+/// So half of −90° is half of 270°: 135°. For a clockwise sweep, subtract the product from the start (as above), or
+/// multiply the angle by a negative number. A sweep of a whole turn is `Angle::from_turns(value)`, because `deg!(360)`
+/// is 0.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -155,8 +156,9 @@ impl Angle {
     /// Interpolates along the shorter way: the result is `self` at `t` = 0 and `other` at `t` = 1. If `t` is below 0 or
     /// above 1, the result is extrapolated.
     ///
-    /// The result is rounded to the nearest unit, halves up. Between opposite angles, it turns clockwise. To turn
-    /// counter-clockwise however far `b` is, write `a + (b - a) * t`; clockwise, `a - (a - b) * t`.
+    /// The result is rounded to the nearest unit, halves up. Between opposite angles, it turns clockwise. To turn from
+    /// `a` to `b` counter-clockwise, even if this way is longer, write `a + (b - a) * t`; to turn clockwise, write
+    /// `a - (a - b) * t`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -217,8 +219,8 @@ impl Angle {
 
     /// Makes an angle from a float or an integer in radians, rounded to the nearest unit. Whole turns are dropped.
     ///
-    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, the
-    /// `f64` nearest to 2π is a turn, which adds an error of 4e-17 times the float. So the angle is accurate to one
+    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, a turn
+    /// counts as the `f64` nearest to 2π, which adds an error of 4e-17 times the float. So the angle is accurate to one
     /// unit for up to ten million radians.
     ///
     /// Without the standard library, the crate [`micromath`] computes with floats, if errors of 1e-3 are small enough.
@@ -277,8 +279,8 @@ impl Angle {
     /// Returns the sine.
     ///
     /// The error is at most 1.6e-9; 0, 1 and −1 are exact at multiples of 90°, and the sine's symmetries hold to the
-    /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, this error is
-    /// invisible. The error of `micromath`'s sine, 1.1e-3, would move vertices of the benchmarks' cube by up to 0.35
+    /// last bit. An odd polynomial of degree 11 covers a quarter of a turn. In a picture of 320x240, an error of 1.6e-9
+    /// is invisible. The error of `micromath`'s sine, 1.1e-3, would move vertices of the benchmarks' cube by up to 0.35
     /// pixels, and of their sphere by up to 0.26 pixels.
     ///
     /// ```

@@ -6,7 +6,7 @@
 //! | texture coordinates | [`TexCoord`] (`I12F20` repeats) | ±2048 | 9.5e-7 |
 //! | sine, cosine, unit vectors, parts of a whole | [`Fraction`] (`I2F30`) | ±2 | 9.3e-10 |
 //! | angle | `u32` fraction of a turn ([`Angle`]) | one turn, wraps | 8.4e-8 degrees |
-//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million per second from thousandths | 1 turn per minute, or 1/1000 turn per second |
+//! | speed of rotation | `i64` thousandths of a turn per minute ([`Rate`]) | ±2.1 billion turns per minute or per second; ±2.1 million turns per second if made from thousandths | 1 turn per minute, or 1/1000 turn per second |
 //! | time | `u64` milliseconds | 584 million years | 1 ms |
 //! | transform, projection | 30 bits and a sign, with a shared exponent ([`Transform`](crate::Transform)) | ±2^62 | 2^-30 of the largest |
 //! | clip space | `i64` with a binary point per draw call | every [`Scalar`] under every transform | 2^-16 of a model's unit or finer |

@@ -275,8 +275,9 @@ number! {
 number! {
     /// Sines, cosines, components of unit vectors and parts of a whole: signed, 2 integer and 30 fraction bits.
     ///
-    /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction is a [`Scalar`], in
-    /// either order: write `fx!(3) * angle.sin()`, not `angle.sin() * 3`.
+    /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction, in either order, is a
+    /// [`Scalar`]. An integer times a fraction is a fraction, and may saturate: write `fx!(3) * angle.sin()`, not
+    /// `3 * angle.sin()`.
     ///
     /// ```
     /// use fixel::{Fraction, deg, fx};

@@ -55,8 +55,8 @@ impl Rate {
 
     /// Returns the angle reached after `ms` milliseconds, starting from 0.
     ///
-    /// Exact for any time, except that the result is rounded down to a multiple of 2⁻³² of a turn. Whole turns are
-    /// dropped.
+    /// The result is exact for any time, except that it is rounded down to a multiple of 2⁻³² of a turn. Whole turns
+    /// are dropped.
     #[must_use]
     pub const fn angle_at(self, ms: u64) -> Angle {
         angle(self.phase(ms))
