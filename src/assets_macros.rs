@@ -20,11 +20,12 @@
 /// assert_eq!(ROOF.faces().len(), 4);
 /// ```
 ///
-/// The path is relative to the source file. The program is compiled again when the model's file changes, or a file that
-/// the model names. A file that cannot be read stops compilation, with a message that names the file and the line or
-/// the byte. If the macro replaces or leaves out something, such as a normal that is not a number, the compiler prints
-/// a warning, one for each kind. It also warns if a few faces are so far away that the others are too small to see;
-/// `object` or `part` can leave these faces out. `#[allow(deprecated)]` on the `static` silences these warnings.
+/// The path is relative to the source file. The program is compiled again when the model's file changes, or when a file
+/// that the model names changes. A file that cannot be read stops compilation, with a message that names the file and
+/// the line or the byte. If the macro replaces or leaves out something, such as a normal that is not a number, the
+/// compiler prints a warning, one for each kind. The compiler also warns if a few faces are so far away that the others
+/// are too small to see; `object` or `part` can leave out the distant faces. `#[allow(deprecated)]` on the `static`
+/// silences these warnings.
 ///
 /// | option | meaning |
 /// |---|---|
@@ -155,7 +156,7 @@ macro_rules! include_outline {
 /// | `size = "256x256"` | the picture is resampled to this size; width and height must be powers of two, at most 32,768 |
 /// | `raw = rgb565` | the bytes of all texels, row by row, for [`Raw`](crate::texture::Raw): a `&'static [u8; N]`; also `bgr565`, `rgb555`, `rgb666`, `rgb888` and so on. The high byte comes first; with `rgb565_le`, the low byte comes first |
 /// | `mipmap` | all levels of a mipmap, each the mean of the picture's pixels |
-/// | `image = 1` | which picture of a model, counted from 0. If a surface sends out light by a texture of its own, one picture has both its textures; these pictures come after the file's own |
+/// | `image = 1` | which picture of a model, counted from 0. If a texture says how much light a surface sends out, one picture contains both the surface and this light; such pictures come after the file's own |
 ///
 /// The path is relative to the source file. A picture of more than two million pixels needs the attribute
 /// `#![allow(long_running_const_eval)]` at the top of the program. An array must have the size of the picture. The
