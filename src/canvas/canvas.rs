@@ -162,7 +162,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     }
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel. Keep the far plane at most 500 times as far
-    /// away as the near plane: [the rule](crate::guide::concepts#depth).
+    /// away as the near plane: see [the rule](crate::guide::concepts#depth).
     ///
     /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. Before the first draw
     /// call, clear the buffer or fill it with 0, which means infinitely far.

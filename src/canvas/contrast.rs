@@ -42,9 +42,9 @@ impl Contrast {
         Self { black, white }
     }
 
-    /// The contrast that turns the darkest gray of the rows in memory into black, and the lightest into white. It
-    /// ignores the darkest `ignored`/256 of the pixels, and as many of the lightest, so that a single highlight does
-    /// not set the contrast.
+    /// The contrast that turns the darkest gray of the rows in memory into black, and the lightest into white. This
+    /// function ignores the darkest `ignored`/256 of the pixels, and as many of the lightest, so that a single
+    /// highlight does not set the contrast.
     ///
     /// All bands of a frame need the same contrast, for example the contrast of the previous frame. The function uses 1
     /// KiB of stack.

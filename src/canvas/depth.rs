@@ -27,7 +27,7 @@ use crate::sealed::Sealed;
 ///
 /// Surfaces that are closer together than a step may have equal depths. The surface that is drawn later is then
 /// visible. Therefore, use [`LinearDepth`] up to a ratio of 500, [`FloatDepth`] up to 65,536, and [`WideFloatDepth`]
-/// beyond: [the rule](crate::guide::concepts#depth).
+/// beyond: see [the rule](crate::guide::concepts#depth).
 ///
 /// Under a parallel projection, depth falls linearly with the distance, so use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
@@ -85,7 +85,7 @@ pub enum NoDepth {}
 ///
 /// `LinearDepth` is the finest format at distances up to 8 · near, and the coarsest at 16 · near and beyond. At a
 /// distance w, a step is w / (65535 · near) of this distance. Keep the far plane at most 500 times as far away as the
-/// near plane: [the rule](crate::guide::concepts#depth).
+/// near plane: see [the rule](crate::guide::concepts#depth).
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -246,9 +246,9 @@ impl<Z> Biased<Z> {
     ///
     /// For an edge of an [outline](crate::Mesh::outline), the difference is the greatest of several: along the line,
     /// and on each of the edge's two faces that is not culled. On the screen, a face may be much narrower than a pixel.
-    /// So the difference on a face is limited to the difference between its nearest and its farthest corner, or to
-    /// twice as much if the edge is not a crease: on a round body, pixels of the edge may lie over the next face, which
-    /// is farther away.
+    /// So the difference on a face is limited to the difference between its nearest and its farthest corner. If the
+    /// edge is not a crease, the limit is twice as high, because on a round body, pixels of the edge may lie over the
+    /// next face, which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self { test, steps, slope }
