@@ -137,8 +137,8 @@ impl<'a> Keyframes<'a> {
     /// values of `t` extrapolate.
     ///
     /// Each component of a blended position or normal is rounded once to the nearest 2⁻¹⁶, halves up, and saturates. At
-    /// `t` = 0 and `t` = 1, every component is exact. The blend of two unit normals may be shorter than 1. This does
-    /// not affect this library's lights, which use only the directions of normals. If you pass no room for normals
+    /// `t` = 0 and `t` = 1, every component is exact. The blend of two unit normals may be shorter than 1. fixel's
+    /// lights are not affected, because they use only the directions of normals. If you pass no room for normals
     /// (`&mut []`), or if only one pose has them, the mesh has no normals, and lighting uses the normals of its
     /// triangles.
     ///

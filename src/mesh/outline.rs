@@ -9,8 +9,9 @@ use crate::num::Angle;
 
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
-/// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye, and
-/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along them:
+/// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye.
+/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along the same edges. They are of two
+/// kinds:
 ///
 /// - *creases*, where two faces meet at an angle above a limit;
 /// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.
