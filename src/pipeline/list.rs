@@ -61,8 +61,8 @@ use prepared::{Objects, Placed, Run};
 /// # Which camera, which frame
 ///
 /// The list keeps the camera, the projection, the transforms and the options. You do not state them again when you draw
-/// it, so you cannot draw it with a wrong camera. (A canvas of another frame size is an error.) While you draw, neither
-/// the list nor its objects can change; [`Prepared::objects`] reads them:
+/// the list, so you cannot draw it with a wrong camera. (A canvas of another frame size is an error.) While you draw,
+/// neither the list nor its objects can change; [`Prepared::objects`] reads them:
 ///
 /// ```compile_fail,E0506
 /// use fixel::prelude::*;

@@ -155,8 +155,8 @@ impl Viewport {
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that
-    /// embedded-graphics draws, at a point of the scene. Its origin is the pixel that contains `at`, and nearer
-    /// surfaces hide what is drawn.
+    /// embedded-graphics draws, at a point of the scene. The target's origin is the pixel that contains `at`, and
+    /// nearer surfaces hide what is drawn.
     ///
     /// Everything drawn to the label has the point's depth, so the label looks like a sheet of paper that faces the
     /// viewer. A pixel is drawn if it is at least as near as the stored depth. The stored depth does not change.
@@ -221,8 +221,8 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     /// If a mesh [keeps its bounds](crate::Mesh::with_bounds), its draw call makes the same test for the whole frame.
     /// So ask only what the draw call does not know: whether an object of several meshes is in view, or whether a mesh
-    /// is in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel, most
-    /// of them for a set-up that every draw call needs before its first vertex.
+    /// is in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel. Most
+    /// of these instructions are for a set-up that every draw call needs before its first vertex.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -27,9 +27,9 @@ impl Viewport {
     /// | sprites with a size [in pixels](crate::Sprites::in_pixels) that face the viewer, with the anchor inside them | width plus height, times the greatest scale |
     /// | other [sprites](crate::Sprites), [attenuated](crate::PointStyle::attenuated) points | 1; and enlarge `bounds` by their size |
     ///
-    /// The rectangle is never too small, for any position in `bounds`. It is too large by at most 1/16 pixel on each
-    /// side, before it is rounded outward, unless the box is more than 100 times as large as its distance from the eye.
-    /// If the near plane of a perspective projection cuts the box, the rectangle is the whole viewport.
+    /// The rectangle is never too small, for any position in `bounds`. Before it is rounded outward, it is too large by
+    /// at most 1/16 pixel on each side, unless the box is more than 100 times as large as its distance from the eye. If
+    /// the near plane of a perspective projection cuts the box, the rectangle is the whole viewport.
     ///
     /// The viewport may reach beyond the frame, and a canvas may hold only a band of the frame. To keep the part that is
     /// in memory, intersect the rectangle with the canvas's

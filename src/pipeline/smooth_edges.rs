@@ -27,8 +27,8 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Where an edge of the outline passes between the centers of two neighboring pixels, this function mixes their
     /// colors: each pixel gets the other's color for the [share of the pixel](crate::guide::mathematics::coverage) that
     /// lies beyond the edge. So the shape neither grows nor shrinks. The function mixes the colors on the canvas,
-    /// whatever drew them, and calls no shader. If the canvas has a depth buffer, it leaves out edges behind other
-    /// surfaces. The result counts edges, as if [`mesh.outline`](Mesh::outline) were drawn.
+    /// whatever drew them, and calls no shader. If the canvas has a depth buffer, the function leaves out edges behind
+    /// other surfaces. The result counts edges, as if [`mesh.outline`](Mesh::outline) were drawn.
     ///
     /// With a crease angle of 180 degrees, an outline has silhouettes only. Use a smaller angle if the faces of a mesh
     /// differ in color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between

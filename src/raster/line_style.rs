@@ -17,7 +17,7 @@ use crate::num::Scalar;
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws the pixel at an end only if the
-/// line passes the pixel's center. So two hairlines in a row do not blend the pixel between them twice.
+/// line passes the pixel's center. So two hairlines that meet do not blend the pixel between them twice.
 ///
 /// ```text
 ///  run        #   #   #            As in OpenGL, the width counts across the longer axis.
@@ -71,8 +71,8 @@ use crate::num::Scalar;
 /// lines last, with [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the
 /// canvas, so a surface behind it that is drawn later does not show through.
 ///
-/// If the draw options have a blending, it is applied first. Then the result covers the color on the canvas by the
-/// pixel's share.
+/// If the draw options have a blending, it is applied first. Then the result covers the color on the canvas in
+/// proportion to the pixel's share.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -105,7 +105,7 @@ impl Default for LineStyle {
 }
 
 impl LineStyle {
-    /// Lines one pixel wide, not anti-aliased: in each step along the longer axis, the pixel that contains the line.
+    /// Lines one pixel wide, not anti-aliased. Each step along the longer axis draws the pixel that contains the line.
     pub const HAIRLINE: Self = Self { half: 128 };
 
     /// The greatest width, in pixels.
