@@ -192,9 +192,9 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// A thin band of fog needs small triangles. Let R be the greatest distance in a triangle divided by the least:
-    /// while R · `far` / (`far` − `near`) is at most 30,000, the visible share has an error of at most 1/100. The table
-    /// of [`Fog`](Fog#accuracy) has the exact condition for each mode.
+    /// A thin band of fog needs small triangles. Let R be the greatest distance in a triangle divided by the least. If
+    /// R · `far` / (`far` − `near`) is at most 30,000, the visible share has an error of at most 1/100. The table of
+    /// [`Fog`](Fog#accuracy) has the exact condition for each mode.
     ///
     /// # Errors
     ///

@@ -103,8 +103,8 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     ///
     /// The table lists the host's instructions per pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
     /// of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints these figures (in the lines
-    /// whose names contain "mipmap" or "trilinear"). In addition, each triangle takes a few hundred instructions for
-    /// its density.
+    /// whose names contain "mipmap" or "trilinear"). In addition, computing `density` takes a few hundred instructions
+    /// for each triangle.
     ///
     /// | | nearest | bilinear | trilinear |
     /// |---|---:|---:|---:|

@@ -70,9 +70,9 @@ pub struct Fragment {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A shader that wraps another shader calls the inner `varyings` and `shade`. Its own [`Varyings`](Self::Varyings) are
-/// the inner shader's, alone or in a pair with further varyings. Most effects need no shader of their own: see
-/// [`map`](Self::map).
+/// A shader that wraps another shader calls the inner `varyings` and `shade`. The outer shader's
+/// [`Varyings`](Self::Varyings) are the inner shader's, alone or in a pair with further varyings. Most effects need no
+/// shader of their own: see [`map`](Self::map).
 ///
 /// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. The outer shader returns the result, which is a color in full precision:
@@ -436,7 +436,7 @@ pub trait Shader: Copy {
     #[cfg_attr(doc, doc = page_picture!("converted", "A ring in four grays, dithered"))]
     /// Colors are rounded, or dithered if `C` has fewer than 5 bits per channel (see [`PixelFormat`]).
     ///
-    /// Use it, for example, to draw a texture in another color format than the canvas's. It converts every pixel, so a
+    /// Use it, for example, to draw a texture in another color format than the canvas's. Every pixel is converted, so a
     /// texture in the canvas's own format is faster.
     ///
     /// ```

@@ -3,8 +3,8 @@
 
 use super::lanes::{Lanes, MOST};
 
-/// The error that a varying may have. If linear interpolation stays within this error, a mode can avoid the division by
-/// w.
+/// The error that a varying may have. If linear interpolation stays within this error, a mode can avoid the perspective
+/// division.
 ///
 /// The type of the [`Varyings`] determines the tolerance: [`Texels`], [`Within`], or plain numbers. The tolerance of
 /// plain numbers is 0.
@@ -171,7 +171,7 @@ impl Varyings for Texels {
     }
 }
 
-/// Numbers that may each have an error of `UNITS` units, so that a mode can avoid the division by w.
+/// Numbers that may each have an error of `UNITS` units, so that a mode can avoid the perspective division.
 ///
 /// A color channel with 16 fraction bits, for example, may have an error of 1/8 step, which is invisible:
 ///

@@ -119,10 +119,10 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
 /// Perspective-correct: each pixel divides by its 1/w, exact to 31 bits.
 ///
 /// Each pixel computes its varyings anew from the span's interpolants (1/w, and the varyings divided by w), and rounds
-/// them down to their units. The reciprocal adds a relative error below 2⁻³⁰. If a triangle's farthest corner is many
-/// times as far away as its nearest corner, each pixel computes its own interpolants, in 64 bits. (The limit depends on
-/// the triangle: it is 8 to 16 times.) So the error stays within a thousandth of a texel, for a texture of 256 texels
-/// and depth ratios of up to 1,000 within a triangle.
+/// them down to their units. The reciprocal adds a relative error below 2⁻³⁰. If a triangle's farthest corner is more
+/// than 8 to 16 times as far away as its nearest corner (the limit depends on the triangle), each pixel computes its
+/// own interpolants, in 64 bits. So the error stays within a thousandth of a texel, for a texture of 256 texels and
+/// depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Exact};
@@ -187,7 +187,7 @@ impl Mode for Affine {
     const KERNEL: Plan = Plan::Straight;
 }
 
-/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess: it extends the
+/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess that extends the
 /// line through the reciprocals at the two pixels before.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. The guess has a relative error of 2δ², and the
