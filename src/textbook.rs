@@ -16,8 +16,8 @@ use crate::num::{Fraction, Scalar};
 ///
 #[cfg_attr(doc, doc = include_str!("guide/diagrams/foreshortening.svg"))]
 ///
-/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the picture is not halfway along the
-/// segment, because 1/w and every attribute divided by w are linear on the screen.
+/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the segment's picture is not halfway
+/// along the segment, because 1/w and every attribute divided by w are linear on the screen.
 /// [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
 ///
 /// Fractions run from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
@@ -152,8 +152,8 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
 /// with n = `near` and f = `far`.
 ///
 /// The transform maps a frustum to a box as wide and high as the frustum's window on the near plane; the near and far
-/// planes stay at −n and −f. Scaling and moving that box to ±1 completes the frustum's matrix. The product n·f is
-/// rounded to nearest; the product and the sum n + f saturate.
+/// planes stay at −n and −f. Scaling and moving this box to the range from −1 to 1 completes the frustum's matrix. The
+/// product n·f is rounded to nearest; the product and the sum n + f saturate.
 ///
 /// ```
 /// use fixel::textbook::perspective_transform;

@@ -19,8 +19,8 @@ use floats::{Real, Unit};
 /// Arithmetic wraps at a whole turn: −90° and 270° are the same angle. [`deg!`](crate::deg) makes an angle from a
 /// literal in degrees.
 ///
-/// In a product with a [`Scalar`] or a [`Fraction`], the angle counts as 0 to below 360°, so a gauge can sweep more
-/// than half a turn. The product is rounded to the nearest unit, halves up, and whole turns are dropped:
+/// In a product with a [`Scalar`] or a [`Fraction`], the angle counts as a value from 0° to below 360°, so a gauge can
+/// sweep more than half a turn. The product is rounded to the nearest unit, halves up, and whole turns are dropped:
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -46,7 +46,7 @@ impl Argb4444 {
         Self(u16::from_be_bytes(bytes))
     }
 
-    /// A texel from its bits: from the highest to the lowest, opacity, red, green and blue.
+    /// A texel from its bits, which are, from the highest to the lowest, opacity, red, green and blue.
     #[must_use]
     #[inline]
     pub const fn from_bits(bits: u16) -> Self {
@@ -84,7 +84,7 @@ impl Argb1555 {
         Self(0x8000 | r << 10 | g << 5 | b)
     }
 
-    /// A texel from its bits: from the highest to the lowest, opacity, red, green and blue.
+    /// A texel from its bits, which are, from the highest to the lowest, opacity, red, green and blue.
     #[must_use]
     #[inline]
     pub const fn from_bits(bits: u16) -> Self {

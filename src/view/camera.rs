@@ -32,7 +32,7 @@ pub struct Camera {
 const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 
 impl Camera {
-    /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` upwards.
+    /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` pointing upward.
     ///
     /// The axes of eye space are k = (eye − target)/‖·‖, i = (up × k)/‖·‖ and j = k × i, where ‖·‖ is the length of the
     /// vector before it. `up` may have any length, and need not be orthogonal to the view direction.

@@ -36,7 +36,8 @@ impl Projection<Perspective> {
     ///
     /// The projection's [`Window`], on the near plane, has top = near · tan(fov / 2) and right = top · aspect.
     ///
-    /// For a canvas with a depth buffer, let `far` be at most 500 · `near`: [the rule](crate::guide::concepts#depth).
+    /// For a canvas with a depth buffer, let `far` be at most 500 · `near`: see [the
+    /// rule](crate::guide::concepts#depth).
     ///
     /// # Errors
     ///
@@ -60,8 +61,8 @@ impl Projection<Perspective> {
         Ok(Self::from_scales(x, y, near, far))
     }
 
-    /// Makes a symmetric perspective from its focal length in pixels: an object with a width equal to its distance is
-    /// `pixels` wide in a picture of `size` pixels.
+    /// Makes a symmetric perspective from its focal length in pixels: an object that is as wide as its distance from
+    /// the eye is `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
     ///
