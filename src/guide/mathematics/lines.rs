@@ -5,7 +5,7 @@
 //! # Lines
 //!
 //! **The image of a line is a line.** The eye and a line that does not pass through it span a plane. All lines of sight
-//! to the line lie in that plane, and the plane cuts the near plane in a line.
+//! to points of the line lie in that plane, and that plane cuts the near plane in a line.
 //!
 //! For what follows, a line is *P* + *t* *v*, with a point *P*, a direction *v* and a number *t*.
 //!
@@ -49,7 +49,7 @@
 //!
 #![doc = include_str!("../diagrams/rails.svg")]
 //!
-//! The rails have the direction −z. The sleepers are parallel to x and stay level.
+//! The rails have the direction −z. The crossties are parallel to x and stay level.
 //!
 //! ```
 //! use fixel::{fx, textbook::speed, vec3};
@@ -93,7 +93,7 @@
 #![doc = include_str!("../diagrams/foreshortening.svg")]
 //!
 //! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. The point's distance *w* is the
-//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*, and at the ends *nx* = *wx*′:
+//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*; at the ends, *nx* = *wx*′:
 //!
 #![doc = formula!(
     {prime(x) = frac((1 - t) n x[0] + t n x[1])((1 - t) w[0] + t w[1])}
