@@ -1,4 +1,4 @@
-//! Short programs with their pictures, and with what each costs. Each program shows one idea.
+//! Short programs, each with its picture and its cost. Each program shows one idea.
 //!
 //! <style>
 //! .recipes { display: flex; flex-wrap: wrap; gap: 12px; margin-bottom: 1.5em }
