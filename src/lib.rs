@@ -188,7 +188,8 @@
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (such as 0.1.0 and 0.1.7) draw the same bits. Checksums in
 //!   the tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the
-//!   changelog says what differs. A bug that breaks a promise above is fixed at once.
+//!   changelog says what differs. The exception is a bug that breaks a promise above: it is fixed at once, even if
+//!   pictures change.
 //! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
 //!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either

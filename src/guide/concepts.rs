@@ -219,15 +219,16 @@
 #![doc = include_str!("diagrams/depth.svg")]
 //!
 //! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 depths are for surfaces between the
-//! near plane and twice its distance; few are left for distant surfaces. Therefore:
+//! near plane and twice the near plane's distance; few are left for distant surfaces. Therefore:
 //!
-//! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away.**
-//! Then the nearer of two surfaces hides the other wherever their distances from the eye differ by 1 % or more. If the
-//! near plane is too close, distant surfaces show through those in front of them, and no error says so: with the planes
-//! at 0.01 and 100, a square at a distance of 90 does not hide a square that is 3 units behind it and drawn later. For
-//! a ratio far/near of up to 65,536, use [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format). It
-//! takes the same memory as `with_depth`, but a frame takes up to a third more instructions (in modes
-//! [`Fast`](crate::mode::Fast) and [`Affine`](crate::mode::Affine) on a Cortex-M0+, up to four fifths more).
+//! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away as the
+//! near plane.** Then the nearer of two surfaces hides the other wherever their distances from the eye differ by 1 % or
+//! more. If the near plane is too close, distant surfaces show through those in front of them, and no error says so:
+//! with the planes at 0.01 and 100, a square at a distance of 90 does not hide a square that is 3 units behind it and
+//! drawn later. For a ratio far/near of up to 65,536, use
+//! [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format). It takes the same memory as `with_depth`, but
+//! a frame takes up to a third more instructions (in modes [`Fast`](crate::mode::Fast) and
+//! [`Affine`](crate::mode::Affine) on a Cortex-M0+, up to four fifths more).
 //!
 //! The limit of 500 leaves some room: [the step between two depths](crate::guide::mathematics::pixels#a-depth-step)
 //! grows to 1 % of the distance only at 655 times the near plane's distance. The far plane has no influence on the

@@ -2,10 +2,10 @@
 //!
 //! # A share
 //!
-//! **The best color of a pixel is the mean of the picture over its square.** The [top-left
+//! **The best color of a pixel is the mean of the picture over the pixel's square.** The [top-left
 //! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. Along an edge
-//! between two colors, this makes stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the
-//! mean needs only one number, the share *s* of the square that lies beyond the edge:
+//! between two colors, this makes stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it,
+//! the mean needs only one number, the share *s* of the square that lies beyond the edge:
 //!
 #![doc = formula!({A + s (B - A)})]
 //!
@@ -15,8 +15,8 @@
 //!
 #![doc = include_str!("../diagrams/share.svg")]
 //!
-//! Across the pixel, the edge rises by *m*. So its height above or below the center is from *d* − *m*/2 to *d* + *m*/2,
-//! and the pixel ends at ½. There are three cases.
+//! Across the pixel, the edge rises by *m*. So the edge's height above or below the center is from *d* − *m*/2 to *d* +
+//! *m*/2, and the pixel ends at ½. There are three cases.
 //!
 //! - *d* + *m*/2 ≤ ½: the edge leaves the pixel through its left and right side. Beyond the edge is a trapezoid of
 //!   width 1, with the mean height ½ − *d*.

@@ -148,7 +148,7 @@
 //! frame: the floor would flicker. With mipmaps, the pixel shows a mean:
 //!
 #![cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
-//! [`Textured::mipmapped`](crate::Textured::mipmapped) gives the accuracy and the cost.
+//! The page of [`Textured::mipmapped`](crate::Textured::mipmapped) gives the accuracy and the cost of mipmaps.
 //!
 //! Tests: `accuracy/formulas/pixel.rs`; pictures with mipmaps in `accuracy/mipmap.rs`.
 //!

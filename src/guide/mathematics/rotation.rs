@@ -10,10 +10,10 @@
     {prime(v) = fun cos var "θ" v + fun sin var "θ" (u times v) + (1 - fun cos var "θ") (u dot v) u}
 )]
 //!
-//! Split *v* into two parts. The part *p* = (*u* · *v*) *u* lies along the axis and stays. The rest, *r* = *v* − *p*,
-//! is at right angles to the axis. The vector *b* = *u* × *v* is as long as *r*, and is at right angles to the axis and
-//! to *r*. Seen from the tip of the axis, *b* is *r* after a quarter of a turn counter-clockwise. So *r* turns in the
-//! plane of *r* and *b*:
+//! Split *v* into two parts. The part *p* = (*u* · *v*) *u* lies along the axis and stays as it is. The rest, *r* = *v*
+//! − *p*, is at right angles to the axis. The vector *b* = *u* × *v* is as long as *r*, and is at right angles to the
+//! axis and to *r*. Seen from the tip of the axis, *b* is *r* after a quarter of a turn counter-clockwise. So *r* turns
+//! in the plane of *r* and *b*:
 //!
 #![doc = include_str!("../diagrams/turn.svg")]
 //!
