@@ -343,8 +343,8 @@ struct Readme;
 
 /// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses one
-/// of these two items, it must also import that item by name:
+/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses
+/// one of these two items, it must also import that item by name:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;

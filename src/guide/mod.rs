@@ -19,8 +19,8 @@
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it needs
-/// a driver. The package `cookbook` compiles and tests the program.
+/// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it
+/// needs a driver. The package `cookbook` compiles and tests the program.
 macro_rules! program {
     ($name:literal) => {
         concat!(

@@ -88,9 +88,9 @@
 //! with the determinant 0. So a shadow has no inverse. The mirror's matrix is *I* − 2 *n* *n*<sup>T</sup> / (*n* ·
 //! *n*), with the determinant −1. A mirror is its own inverse.
 //!
-//! By hand: the ground has *q* = 0 and *n* = (0, 1, 0), and the sun is in the direction *l* = (1, 2, 0). For *p* = (5, 3, 7),
-//! *n* · *p* is 3, and *n* · *l* is 2. The shadow is (5, 3, 7) − 1.5 (1, 2, 0) = (3.5, 0, 7), and the mirror image is (5,
-//! −3, 7).
+//! By hand: the ground has *q* = 0 and *n* = (0, 1, 0), and the sun is in the direction *l* = (1, 2, 0). For *p* = (5,
+//! 3, 7), *n* · *p* is 3, and *n* · *l* is 2. The shadow is (5, 3, 7) − 1.5 (1, 2, 0) = (3.5, 0, 7), and the mirror
+//! image is (5, −3, 7).
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -4,7 +4,7 @@
 //!
 //! # A clip
 //!
-//! **An edge meets the near plane at the fraction *t* of its way:**
+//! **An edge meets the near plane at the fraction *t* of its length:**
 //!
 #![doc = formula!({t = frac(w[0] - n)(w[0] - w[1])})]
 //!

@@ -3,9 +3,9 @@
 //! # A share
 //!
 //! **The best color of a pixel is the mean of the picture over the pixel's square.** The [top-left
-//! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. Along an edge
-//! between two colors, this makes stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it,
-//! the mean needs only one number, the share *s* of the square that lies beyond the edge:
+//! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. So an edge
+//! between two colors gets stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the mean
+//! needs only one number, the share *s* of the square that lies beyond the edge:
 //!
 #![doc = formula!({A + s (B - A)})]
 //!
@@ -67,10 +67,10 @@
 //! center is not the color at the edge. And where two edges meet in a pixel, only one of them changes the pixel's
 //! color.
 //!
-//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a remainder of the edge's exact
-//! division ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is
-//! rounded down to 1/256, which changes a share by at most an eighth of 1/256. The share of a corner is rounded down
-//! once more.
+//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance *d* comes from the remainder of the
+//! edge's exact division ([A shared edge](crate::guide::mathematics::triangles#a-shared-edge)), and is rounded down to
+//! 1/256. The slope is rounded down to 1/256, which changes a share by at most an eighth of 1/256. The share of a
+//! corner is rounded down once more.
 //!
 //! Tests: `accuracy/smooth_edges.rs`; pairs of pixels in `src/raster/straddle.rs`.
 //!

@@ -13,7 +13,7 @@
 //! the line. Both coordinates are multiplied by the same number, −*n*/*P<sub>z</sub>*, and the image keeps the slope
 //! *v<sub>y</sub>*/*v<sub>x</sub>*.
 //!
-//! **All lines of any other direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
+//! **Parallel lines of any other direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
 //!
 #![doc = formula!(
     {prime(x) = -n frac(P[x] + t v[x])(P[z] + t v[z]) to -n frac(v[x])(v[z])}
@@ -107,7 +107,7 @@
     {frac(q)(1 - q) = frac(t)(1 - t) dot frac(w[1])(w[0])}
 )]
 //!
-//! To solve the last equation for *t*, exchange the distances:
+//! The last equation stays true if *t* and *q* change places, and *w*₀ and *w*₁ do, too. Therefore
 //!
 #![doc = formula!({t = frac(q w[0])(w[1] - q (w[1] - w[0]))})]
 //!
@@ -126,9 +126,9 @@
 //!
 #![doc = formula!({a = frac(fun lerp (a[0] / w[0], a[1] / w[1], q))(fun lerp (1 / w[0], 1 / w[1], q))})]
 //!
-//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for the fourth
-//! homogeneous coordinate after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the fraction
-//! in space:
+//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for *w*, the fourth
+//! homogeneous coordinate, after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the
+//! fraction in space:
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
 //!

@@ -10,9 +10,9 @@
 //!
 #![doc = include_str!("../diagrams/similar_triangles.svg")]
 //!
-//! The eye, the point and its image lie on one straight line. The small triangle and the large one share the angle at
-//! the eye, and both have a right angle. Their sides are in proportion: *y*′ is to *n* as *y* is to −*z*. The same
-//! holds for *x*.
+//! The eye, the point and its image lie on one straight line. In the diagram, the small triangle and the large one
+//! share the angle at the eye, and both have a right angle. Their sides are in proportion: *y*′ is to *n* as *y* is to
+//! −*z*. The same holds for *x*.
 //!
 //! At *z* = 0 the line of sight is parallel to the near plane and never meets it. Behind the eye, *z* is positive and
 //! the signs of *x*′ and *y*′ flip: the image would be upside down, with left and right exchanged. In both cases,
@@ -121,8 +121,9 @@
     {fun translate (-frac(r + l)(r - l), -frac(t + b)(t - b), -frac(f + n)(f - n))}
 )]
 //!
-//! To check the third row: scaling gives −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving adds (*f*+*n*)/(*f*−*n*) to
-//! the first number, because the last row of *P* has −1 in the third column. The results are *A* and *B*.
+//! To check the third row: scaling turns *n* + *f* and *nf* into −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving
+//! adds (*f*+*n*)/(*f*−*n*) to the first number, because the last row of *P* has −1 in the third column. The results
+//! are *A* and *B*.
 //!
 //! ```
 //! use fixel::{Window, Matrix4, prelude::*, textbook::perspective_transform};
@@ -145,7 +146,7 @@
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
 //! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
 //! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). Draw calls work in this order.
+//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). fixel's draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -252,7 +253,7 @@
 //!
 //! In an isometric view, the images of all three axes have the same length, so the axes have the same *k*. The three
 //! numbers *k* are the components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3),
-//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two
+//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle whose sine is 1/√3. In a dimetric view, two
 //! of the three lengths are equal. In a trimetric view, all three lengths differ. A view along an axis shows the front,
 //! a side or the top.
 //!
