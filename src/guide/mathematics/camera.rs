@@ -1,4 +1,4 @@
-//! The camera: from world space to the space before the eye.
+//! The camera: from world space to eye space.
 //!
 //! The [first page](crate::guide::mathematics) names the axes.
 //!

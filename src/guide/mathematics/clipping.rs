@@ -60,8 +60,9 @@
 //! | the outside end | 170/256 | −665 | 335 |
 //!
 //! If each triangle used its own direction, their new corners would be 3 units apart, and the background would be seen
-//! through the crack. If both begin at the inside end, they compute the same numbers by the same steps, and get the
-//! same corner to the last bit. The rounding error is still there, but it moves both triangles by the same amount.
+//! through the crack. If both triangles begin at the inside end, they compute the same numbers by the same steps, and
+//! get the same corner to the last bit. The rounding error is still there, but it moves both triangles by the same
+//! amount.
 //!
 //! ```
 //! let floor = |a: i32, b: i32| a.div_euclid(b);

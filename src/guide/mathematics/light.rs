@@ -66,8 +66,8 @@
 //! | 120° | none | 0.000 |
 //!
 //! By hand: the sun is in the direction (0, 4, 3), so *l* = (0, 0.8, 0.6). The ground has *n* = (0, 1, 0), and *n* ·
-//! *l* = 0.8. With a sun of strength 0.5, and 0.25 of light from all sides (ambient), the brightness is 0.25 + 0.5 ·
-//! 0.8 = 0.65:
+//! *l* = 0.8. With a sun of strength 0.5 and ambient light (from all sides) of strength 0.25, the brightness is 0.25 +
+//! 0.5 · 0.8 = 0.65:
 //!
 //! ```
 //! use fixel::math::Direction;

@@ -13,8 +13,9 @@
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
-//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*. Divide *a* by *w*: the first term becomes linear
-//! in *x*′ and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is.
+//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*, with a vector *g* and a number *d*. Divide *a* by
+//! *w*: the first term becomes linear in *x*′ and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w*
+//! is.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
 //! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
@@ -29,10 +30,9 @@
 //!
 //! **A pixel needs one division.** Along a row of pixels, a linear function changes by the same amount from pixel to
 //! pixel. A renderer adds this amount to *Q* = 1/*w* and to each *P* = *a*/*w*. But the quotient *P*/*Q* does not
-//! change by the same amount: if *Q* falls evenly from 1 over ¾ and ½ to ¼, then *w* grows from 1 over 1⅓ and 2 to 4.
-//! So additions alone cannot produce the quotient. A small processor takes far longer for a division than for a
-//! product. Therefore divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all
-//! attributes.
+//! change by the same amount: if *Q* takes the values 1, ¾, ½ and ¼, then *w* takes the values 1, 1⅓, 2 and 4. So
+//! additions alone cannot produce the quotient. A small processor takes far longer for a division than for a product.
+//! Therefore divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
 //!
 //! **Additions repeat their rounding error.** The step from pixel to pixel is rounded once. After 300 pixels, this
 //! error has been added 300 times. So *P* and *Q* need about 9 more bits than the result, because 2⁹ is 512. fixel

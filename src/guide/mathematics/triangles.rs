@@ -47,8 +47,8 @@
 //!
 //! Why does the rule also decide at a corner, where many triangles meet? Move all centers by an infinitely small step
 //! to the right, and down by a step that is far smaller still. Now no center is on an edge, and each center is in
-//! exactly one triangle. The move takes a center on a left edge into the triangle, and a center on a top edge, too. It
-//! takes centers on all other edges out. So the moved centers and the rule give the same answers.
+//! exactly one triangle. The move takes centers on a left or a top edge into the triangle, and centers on all other
+//! edges out of it. So the moved centers and the rule give the same answers.
 //!
 //! By hand: a square from (1.5, 1.5) to (5.5, 5.5) has two triangles, both clockwise. The orange one has the corners
 //! (1.5, 1.5), (5.5, 1.5), (1.5, 5.5), and the blue one (5.5, 1.5), (5.5, 5.5), (1.5, 5.5). The center (3.5, 3.5) is on
