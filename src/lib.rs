@@ -1,7 +1,7 @@
 //! 3D scenes in microcontroller framebuffers, in fixed point.
 //!
 //! `fixel` (fixed + pixel) projects, clips, rasterizes and shades triangles, lines and points with integers only.
-//! Textures and colors are correct in perspective. Give it slices of your memory, and it draws there. The crate is
+//! Textures and colors are correct in perspective. Give fixel slices of your memory, and it draws there. The crate is
 //! `no_std`, and has no allocation and no `unsafe`. On emulated Cortex-M0+, M3, M4, M23, M33 and RISC-V cores, programs
 //! draw the same bits as on your computer.
 //!
@@ -71,7 +71,8 @@
 //! ```
 //!
 #![cfg_attr(doc, doc = page_picture!("first", "The program's scene on 240x160 pixels: a checkered cube, and a text"))]
-//! Import items of embedded-graphics one by one, because its prelude has its own `Angle` and `Transform`.
+//! Import items of embedded-graphics one by one: its prelude has an `Angle` and a `Transform`, too, and they would
+//! conflict with fixel's.
 //!
 //! # Parts
 //!
@@ -106,8 +107,9 @@
 //!
 //! # Promises
 //!
-//! 1. **No floating point, no allocation, no `unsafe`.** Only a few constructors accept floats, for convenience, and
-//!    they convert an `f32` by integers: for example, [`Angle::try_from_radians`] turns a sensor's float into an angle.
+//! 1. **No floating point, no allocation, no `unsafe`.** Only a few constructors accept floats, for convenience. They
+//!    convert an `f32` with integer instructions: for example, [`Angle::try_from_radians`] turns a sensor's float into
+//!    an angle.
 //! 2. **Same bits everywhere.** Results do not depend on the target's word length or instructions: the host and the
 //!    board draw the same picture.
 //! 3. **No panics.** No accepted value can cause a panic or a write outside the canvas. Constructors refuse what cannot
@@ -173,7 +175,7 @@
 //!
 //! For DMA, let the canvas store bytes in the order of the bus: give a `Canvas<Rgb565, BigEndian>` a slice of `[u8;
 //! 2]`, and send the bytes that [`Canvas::as_bytes`] returns. The [guide for firmware](guide::firmware) leads from
-//! `cargo new` to a picture on an SPI panel, by way of memory, bands, DMA, two cores and clocks.
+//! `cargo new` to a picture on an SPI panel, and covers memory, bands, DMA, two cores and clocks.
 //!
 //! # Speed against accuracy
 //!
@@ -186,7 +188,8 @@
 //!
 //! - **Pictures.** Versions that Cargo treats as compatible (such as 0.1.0 and 0.1.7) draw the same bits. Checksums in
 //!   the tests enforce this. Any change to a picture, even an improvement, requires a new minor version, and the
-//!   changelog says what differs. A bug that breaks a promise above is fixed at once.
+//!   changelog says what differs. The exception is a bug that breaks a promise above: it is fixed at once, even if
+//!   pictures change.
 //! - **Compiler.** The crate compiles with Rust 1.88. Only a new minor version may require a later compiler. That
 //!   compiler is then at least six months old.
 //! - **Dependencies.** `fixed` and `embedded-graphics` appear in the interface. An incompatible new version of either
@@ -216,8 +219,8 @@
 //! ```
 //!
 //! The column on the right names the folder. `Adapted`, which `.lit(light)` makes, stands for any shader, and `Native`
-//! for any storage. Between `Blit::draw` and its pixels runs a kernel, one of four loops over the pixels of a span:
-//! straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
+//! for any storage. `Blit::draw` cuts each row into spans of up to 64 pixels, and draws each span by a kernel, one of
+//! four loops over pixels: straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
 //!
 //! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
 //! `canvas`, `raster`, `span`, `pipeline`. Inside the crate, an import names the folder that owns an item
@@ -340,8 +343,8 @@ struct Readme;
 
 /// The items that most programs import in order to draw.
 ///
-/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses one
-/// of these two items, it must also import that item by name:
+/// The prelude of embedded-graphics has its own `Angle` and `Transform`. If a program imports both preludes and uses
+/// one of these two items, it must also import that item by name:
 ///
 /// ```
 /// use embedded_graphics::prelude::*;

@@ -17,7 +17,7 @@
 #![doc = include_str!("diagrams/pipeline.svg")]
 //!
 //! Give a draw call a mesh (the shape), a model-view-projection (where the shape and the eye are, and the angle of
-//! view) and a shader (the colors). It writes pixels to a canvas (your memory). All four are plain values of your
+//! view) and a shader (the colors). The call writes pixels to a canvas (your memory). All four are plain values of your
 //! program. The canvas is the only state between draw calls.
 //!
 //! ```
@@ -60,8 +60,8 @@
 //! | `vec2!(0.5, 1)` | [`Vec2`](crate::Vec2): two texture coordinates (1 is the whole width or height of the texture) | ±2048 in steps of 10⁻⁶ |
 //! | `deg!(62.5)` | [`Angle`](crate::Angle): a fraction of a turn | one turn, in steps of 10⁻⁷ degrees |
 //!
-//! A literal beyond the range does not compile. Convert floats and integers that are known only when the program runs
-//! with `Scalar::try_from`, `TexCoord::try_from` (one texture coordinate), `Vec3::try_from`, or a constructor of
+//! A literal beyond the range does not compile. To convert floats and integers that are known only at run time, use
+//! `Scalar::try_from`, `TexCoord::try_from` (one texture coordinate), `Vec3::try_from`, or a constructor of
 //! [`Angle`](crate::Angle):
 //!
 //! ```
@@ -96,8 +96,8 @@
 //! # Mesh
 //!
 //! A [`Mesh`](crate::Mesh) borrows positions, faces (three positions for each triangle), and optionally texture
-//! coordinates, normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so it is in flash.
-//! So is a `static` mesh of your own slices:
+//! coordinates, normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so the mesh is in
+//! flash. A `static` mesh of your own slices is in flash, too:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -113,8 +113,8 @@
 //!
 #![doc = include_str!("diagrams/winding.svg")]
 //!
-//! If you see the inside of a model, the corners of its triangles run clockwise, seen from outside. Swap two corners of
-//! each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
+//! If you see the inside of a model, the corners of its triangles run clockwise when seen from outside. Swap two
+//! corners of each triangle, or draw with [`Cull::Front`](crate::Cull::Front).
 //!
 //! # Transform, camera, projection
 //!
@@ -152,9 +152,9 @@
 //! A [`Shader`](crate::Shader) gives each pixel its color. Some shaders are surfaces: [`Flat`](crate::Flat) has one
 //! color, [`Gouraud`](crate::Gouraud) interpolates vertex colors, and [`Textured`](crate::Textured) shows a texture.
 //! The pixels of a texture are called texels. Methods such as `lit`, `in_fog` and `map` wrap a surface in an adapter
-//! that changes its colors. Stack as many adapters as you need. Each changes the color that the one before it made, so
-//! apply light before fog. The module [`shade`](crate::shade) lists all surfaces and adapters. The compiler fuses a
-//! surface and its adapters into one loop. Shaders that you do not name add no code.
+//! that changes its colors. Stack as many adapters as you need. Each adapter changes the color that it gets from the
+//! adapter before it, so apply light before fog. The module [`shade`](crate::shade) lists all surfaces and adapters.
+//! The compiler fuses a surface and its adapters into one loop. Shaders that you do not name add no code.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -219,19 +219,20 @@
 #![doc = include_str!("diagrams/depth.svg")]
 //!
 //! `clear` sets all depths to 0, which means infinitely far. Half of the 65,536 depths are for surfaces between the
-//! near plane and twice its distance; few are left for distant surfaces. Therefore:
+//! near plane and twice the near plane's distance; few are left for distant surfaces. Therefore:
 //!
-//! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away.**
-//! Then the nearer of two surfaces hides the other wherever their distances from the eye differ by 1 %. If the near
-//! plane is too close, distant surfaces show through those in front of them, and no error says so: with the planes at
-//! 0.01 and 100, a square at a distance of 90 does not hide a square that is 3 units behind it and drawn later. For a
-//! ratio of up to 65,536, use [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format). It takes the same
-//! memory, but a frame takes up to a third more instructions (in modes [`Fast`](crate::mode::Fast) and
+//! **Put the near plane as far from the eye as the scene allows, and the far plane at most 500 times as far away as the
+//! near plane.** Then the nearer of two surfaces hides the other wherever their distances from the eye differ by 1 % or
+//! more. If the near plane is too close, distant surfaces show through those in front of them, and no error says so:
+//! with the planes at 0.01 and 100, a square at a distance of 90 does not hide a square that is 3 units behind it and
+//! drawn later. For a ratio far/near of up to 65,536, use
+//! [`with_depth_format::<FloatDepth>`](crate::Canvas::with_depth_format). It takes the same memory as `with_depth`, but
+//! a frame takes up to a third more instructions (in modes [`Fast`](crate::mode::Fast) and
 //! [`Affine`](crate::mode::Affine) on a Cortex-M0+, up to four fifths more).
 //!
-//! 500 leaves some room: [the step between two depths](crate::guide::mathematics::pixels#a-depth-step) grows to 1 % of
-//! the distance only at 655 times the near plane's distance. The far plane changes no stored depth: it only cuts off
-//! what lies beyond it.
+//! The limit of 500 leaves some room: [the step between two depths](crate::guide::mathematics::pixels#a-depth-step)
+//! grows to 1 % of the distance only at 655 times the near plane's distance. The far plane has no influence on the
+//! stored depths: it only cuts off what lies beyond it.
 //!
 //! Without a depth buffer, draw the scene from back to front. A [`DrawList`](crate::DrawList) can sort its triangles in
 //! this order.
@@ -296,4 +297,4 @@
 //! | edges of surfaces have stairs | call [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) after drawing |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!
-//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for displays.
+//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for faults of displays.

@@ -1,4 +1,4 @@
-//! Short programs with their pictures, and with what each costs. Each program shows one idea.
+//! Short programs, each with its picture and its cost. Each program shows one idea.
 //!
 //! <style>
 //! .recipes { display: flex; flex-wrap: wrap; gap: 12px; margin-bottom: 1.5em }
@@ -148,9 +148,9 @@ pub mod lines {}
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = recipe!("A drone's display", "drone")]
 #[doc = titled!("A little world", "world")]
-/// A walk through a garden at dusk uses most of the techniques of the cookbook. Walls, grass and water have mipmaps. The
-/// trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a sky
-/// with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
+/// A walk through a garden at dusk uses most of the techniques of the cookbook. Walls, grass and water have mipmaps.
+/// The trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a
+/// sky with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
 /// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program in
 /// `examples/common/world` draws whole frames or bands, and needs no memory except the canvas.
 ///

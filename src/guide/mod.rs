@@ -7,8 +7,7 @@
 //!    how to write numbers; and what to check when the scene is wrong.
 //! 2. **[Coming from](coming_from)** OpenGL, tgx, embedded-3dgfx or small3dlib: fixel's name for each term of these
 //!    libraries, and what fixel does differently. Skip this page if you know none of these libraries.
-//! 3. **[Cookbook](cookbook)**: short programs with their pictures, and with what each costs. Each program shows one
-//!    idea.
+//! 3. **[Cookbook](cookbook)**: short programs, each with its picture and its cost. Each program shows one idea.
 //! 4. **[Firmware](firmware)**: from `cargo new` to a panel on SPI, with bands and DMA.
 //! 5. **[Displays](displays)**: programs for round panels, electronic paper, OLEDs, and panels with 18 bits per pixel;
 //!    how to send only a window of the frame, how to avoid tearing, and how to keep two frames in memory.
@@ -20,8 +19,8 @@
 //! 9. **[Benchmarks](benchmarks)**: what drawing costs, compared with other libraries.
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls in eight shaders"))]
 
-/// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it needs
-/// a driver. The package `cookbook` compiles and tests the program.
+/// Writes a program for a display. Use it under `cfg(not(doctest))`: the program would not compile here, because it
+/// needs a driver. The package `cookbook` compiles and tests the program.
 macro_rules! program {
     ($name:literal) => {
         concat!(

@@ -1,11 +1,11 @@
-//! The camera: from world space to the space before the eye.
+//! The camera: from world space to eye space.
 //!
-//! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
+//! The [first page](crate::guide::mathematics) names the axes.
 //!
 //! # A camera
 //!
-//! **A camera is the rigid transform that brings the eye to the origin and the target onto −z.** Its axes in the world
-//! are
+//! **A camera is the rigid transform that brings the eye to the origin and the target onto −z.** In the world, the
+//! camera has these axes:
 //!
 #![doc = formula!(
     {k = frac(eye - target)(|eye - target|)}
@@ -73,22 +73,24 @@
 //!
 //! # A mirror
 //!
-//! **A shadow moves a point along the light until it is on a plane. A mirror moves it across the plane, twice as far.**
-//! The plane goes through the point *q*, and has the normal *n*, of any length. A step of *t* times a direction *d* changes
-//! *n* · (*p* − *q*) by *t* (*n* · *d*). On the plane, this number is 0, so *t* = −*n* · (*p* − *q*) / (*n* · *d*). For the
-//! shadow, *d* is the direction *l* to the light; for the mirror image, *d* is *n* itself:
+//! **A shadow moves a point along the light until the point is on a plane. A mirror moves the point along the plane's
+//! normal to the plane, and then as far again.** Let *q* be a point of the plane, and *n* its normal, of any length. A
+//! step of *t* times a direction *d* changes *n* · (*p* − *q*) by *t* (*n* · *d*). On the plane, *n* · (*p* − *q*) is
+//! 0, so *t* = −*n* · (*p* − *q*) / (*n* · *d*). For the shadow, *d* is the direction *l* to the light; for the mirror
+//! image, *d* is *n* itself:
 //!
 #![doc = formula!(
     {shadow = p - frac(n dot (p - q))(n dot l) l}
     {image = p - 2 frac(n dot (p - q))(n dot n) n}
 )]
 //!
-//! Both are affine. The matrices are 1 − *l* *n*<sup>T</sup> / (*n* · *l*), with the determinant 0, and 1 − 2 *n*
-//! *n*<sup>T</sup> / (*n* · *n*), with the determinant −1. So a shadow has no inverse, and a mirror is its own.
+//! Both maps are affine. With the identity matrix *I*, the shadow's matrix is *I* − *l* *n*<sup>T</sup> / (*n* · *l*),
+//! with the determinant 0. So a shadow has no inverse. The mirror's matrix is *I* − 2 *n* *n*<sup>T</sup> / (*n* ·
+//! *n*), with the determinant −1. A mirror is its own inverse.
 //!
-//! By hand: the ground has *q* = 0 and *n* = (0, 1, 0), and the sun is in the direction *l* = (1, 2, 0). For *p* = (5, 3, 7),
-//! *n* · *p* is 3, and *n* · *l* is 2. The shadow is (5, 3, 7) − 1.5 (1, 2, 0) = (3.5, 0, 7), and the mirror image is (5,
-//! −3, 7).
+//! By hand: the ground has *q* = 0 and *n* = (0, 1, 0), and the sun is in the direction *l* = (1, 2, 0). For *p* = (5,
+//! 3, 7), *n* · *p* is 3, and *n* · *l* is 2. The shadow is (5, 3, 7) − 1.5 (1, 2, 0) = (3.5, 0, 7), and the mirror
+//! image is (5, −3, 7).
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -104,9 +106,9 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **Mirror the camera, not the model.** Both put the points at the same place on the screen. But light is computed where
-//! the points are in the world. A mirrored model is below the ground, and the sun lights the wrong side of it.
-//! [`Camera::mirrored`](crate::Camera::mirrored) leaves the world as it is.
+//! **Mirror the camera, not the model.** Either way, the points have the same places on the screen. But light is
+//! computed where the points are in the world. A mirrored model is below the ground, and the sun lights the wrong side
+//! of it. [`Camera::mirrored`](crate::Camera::mirrored) leaves the world as it is.
 //!
 //! Tests: `accuracy/formulas/camera.rs`, `accuracy/formulas/plane.rs` and `exact/mirrors.rs`.
 //!

@@ -4,18 +4,19 @@
 //!
 //! # A clip
 //!
-//! **An edge meets the near plane at the fraction *t* of its way:**
+//! **An edge meets the near plane at the fraction *t* of its length:**
 //!
 #![doc = formula!({t = frac(w[0] - n)(w[0] - w[1])})]
 //!
-//! The first end is inside, at the distance *w*₀ ≥ *n* ahead of the eye. The second end is outside, at *w*₁ < *n*. It
-//! may be behind the eye, with a negative *w*₁. Along the edge in space, the distance is *w*₀ + *t* (*w*₁ − *w*₀). Set
+//! The first end is inside, at the distance *w*₀ ≥ *n* ahead of the eye. The second end is outside, at *w*₁ < *n*; *w*₁
+//! is negative if this end is behind the eye. Along the edge in space, the distance is *w*₀ + *t* (*w*₁ − *w*₀). Set
 //! this to *n*, and solve for *t*. As *w*₁ < *n*, the divisor is never zero, and *t* is from 0 to below 1.
 //!
 #![doc = include_str!("../diagrams/clip.svg")]
 //!
-//! All coordinates and all attributes are linear along the edge in space. The new corner has the mean of both ends,
-//! with the weights 1 − *t* and *t*. Nothing has been divided by *w* yet, so no corner is mirrored.
+//! All coordinates and all attributes are linear along the edge in space. The values of the new corner are the means of
+//! the values at both ends, with the weights 1 − *t* and *t*. Nothing has been divided by *w* yet, so no corner is
+//! mirrored.
 //!
 //! By hand, with *n* = 1: the edge from (2, 1, −4) to (−1, −2, 2) has *w*₀ = 4 and *w*₁ = −2. So *t* = (4 − 1)/(4 + 2)
 //! = ½, and the new corner is (½, −½, −1). The image of the first end is (½, ¼), and the image of the new corner is (½,
@@ -41,17 +42,17 @@
 //!
 //! **The other planes of the frustum clip in the same way.** The right plane is *x* = *w* in clip space, and the
 //! distance from it is *d* = *w* − *x*. A matrix computed *x* and *w*, so *d* is linear in space, too. With the
-//! distances *d*₀ inside and −*d*₁ outside, *t* = *d*₀/(*d*₀ + *d*₁). To clip a polygon, walk around it (Sutherland and
-//! Hodgman): keep each corner that is inside, and insert a new corner on each edge that crosses the plane. Then clip
-//! the result by the next plane. A plane cuts the outline of a triangle at most twice, so each plane adds at most one
-//! corner.
+//! distances *d*₀ at the inside end and −*d*₁ at the outside end, *t* = *d*₀/(*d*₀ + *d*₁). To clip a polygon, walk
+//! around it (Sutherland and Hodgman): keep each corner that is inside, and insert a new corner on each edge that
+//! crosses the plane. Then clip the result by the next plane. A plane cuts the outline of a triangle at most twice, so
+//! each plane adds at most one corner.
 //!
 //! # A shared cut
 //!
 //! **Cut every edge from its inside end to its outside end.** Two triangles that share an edge walk along it in
 //! opposite directions. In exact arithmetic, that does not matter: *t* from one end and 1 − *t* from the other end are
-//! the same point. Rounded numbers are different. Take an edge from 0 (inside) to 1000 (outside) that is cut at a
-//! third, with *t* in units of 1/256, and all results rounded down:
+//! the same point. Rounded, they differ. Take an edge from 0 (inside) to 1000 (outside) that is cut at a third, with
+//! *t* in units of 1/256, and all results rounded down:
 //!
 //! | from | *t* | step | new corner |
 //! |---|---:|---:|---:|
@@ -59,8 +60,9 @@
 //! | the outside end | 170/256 | −665 | 335 |
 //!
 //! If each triangle used its own direction, their new corners would be 3 units apart, and the background would be seen
-//! through the crack. If both begin at the inside end, they compute the same numbers by the same steps, and get the
-//! same corner to the last bit. The rounding error is still there, but it moves both triangles by the same amount.
+//! through the crack. If both triangles begin at the inside end, they compute the same numbers by the same steps, and
+//! get the same corner to the last bit. The rounding error is still there, but it moves both triangles by the same
+//! amount.
 //!
 //! ```
 //! let floor = |a: i32, b: i32| a.div_euclid(b);
@@ -74,8 +76,8 @@
 //! ```
 //!
 //! An edge can cross two planes. Both triangles must then use the planes in the same order, and an edge must be cut
-//! only by planes that it crosses itself. A new corner on the shared edge depends only on the two ends of this edge,
-//! never on the third corner of a triangle.
+//! only by planes that it crosses itself. Then a new corner on the shared edge depends only on the two ends of this
+//! edge, never on the third corner of a triangle.
 //!
 //! Tests: `accuracy/formulas/clipping.rs`; clipped meshes without cracks in `accuracy/clipping.rs`, clipped attributes
 //! in `accuracy/clipped_values.rs`. Beside the code: shared edges in `src/pipeline/clip.rs`.

@@ -1,11 +1,11 @@
-//! Coverage: which share of a pixel lies beyond an edge, and what follows for the color of the pixel.
+//! Coverage: which share of a pixel lies beyond an edge, and which color the pixel gets.
 //!
 //! # A share
 //!
-//! **The best color of a pixel is the mean of the picture over its square.** The [top-left
-//! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. Along an edge
-//! between two colors, this makes stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the
-//! mean needs only one number, the share *s* of the square that lies beyond the edge:
+//! **The best color of a pixel is the mean of the picture over the pixel's square.** The [top-left
+//! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. So an edge
+//! between two colors gets stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the mean
+//! needs only one number, the share *s* of the square that lies beyond the edge:
 //!
 #![doc = formula!({A + s (B - A)})]
 //!
@@ -15,19 +15,19 @@
 //!
 #![doc = include_str!("../diagrams/share.svg")]
 //!
-//! Across the pixel, the edge rises by *m*. So its height above or below the center is from *d* − *m*/2 to *d* + *m*/2,
-//! and the pixel ends at ½. There are three cases.
+//! Across the pixel, the edge rises by *m*. So the edge's height above or below the center is from *d* − *m*/2 to *d* +
+//! *m*/2, and the pixel ends at ½. There are three cases.
 //!
-//! - *d* + *m*/2 ≤ ½: the edge leaves the pixel through its left and right side. Beyond it is a trapezoid of width 1,
-//!   with the mean height ½ − *d*.
+//! - *d* + *m*/2 ≤ ½: the edge leaves the pixel through its left and right side. Beyond the edge is a trapezoid of
+//!   width 1, with the mean height ½ − *d*.
 //! - *d* − *m*/2 ≥ ½: the edge misses the pixel.
-//! - Between these cases, it cuts off a corner. The triangle beyond it has the height *u* = ½ + *m*/2 − *d*, and the
-//!   width *u*/*m*:
+//! - Between these cases, the edge cuts off a corner of the pixel. The triangle beyond the edge has the height *u* =
+//!   ½ + *m*/2 − *d*, and the width *u*/*m*:
 //!
 #![doc = formula!({s = frac(u^2)(2 m)} {u = frac(1 + m)(2) - d})]
 //!
-//! Where the cases meet, at *u* = *m* and *u* = 0, the shares are the same. Only the two pixels of a column can have a
-//! share: the next pixel's distance is above 1, and *m* is at most 1.
+//! Where the cases meet, at *u* = *m* and *u* = 0, the shares are the same. In each column, only these two pixels can
+//! have a share: the next pixel's distance is above 1, and *m* is at most 1.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -62,14 +62,15 @@
 //!
 //! **The neighbor's color is *B*.** The two pixels lie on different sides of the edge. So
 //! [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) mixes the color of each pixel with the old color of the other,
-//! and needs neither the shader nor the order in which things were drawn. The shape does not grow, because both pixels
-//! get their exact shares. Two errors remain. Where colors change along the surface, the color at the neighbor's center
-//! is not the color at the edge. And where two edges meet in a pixel, only one of them mixes it.
+//! and needs to know neither the shader nor the order in which things were drawn. The shape does not grow, because both
+//! pixels get their exact shares. Two errors remain. Where colors change along the surface, the color at the neighbor's
+//! center is not the color at the edge. And where two edges meet in a pixel, only one of them changes the pixel's
+//! color.
 //!
-//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance is a remainder of the edge's exact
-//! division ([fixed point](crate::guide::mathematics::fixed_point#fixed-point)), rounded down to 1/256. The slope is
-//! rounded down to 1/256, which changes a share by at most an eighth of this. The share of a corner is rounded down
-//! once more.
+//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance *d* comes from the remainder of the
+//! edge's exact division ([A shared edge](crate::guide::mathematics::triangles#a-shared-edge)), and is rounded down to
+//! 1/256. The slope is rounded down to 1/256, which changes a share by at most an eighth of 1/256. The share of a
+//! corner is rounded down once more.
 //!
 //! Tests: `accuracy/smooth_edges.rs`; pairs of pixels in `src/raster/straddle.rs`.
 //!

@@ -14,10 +14,10 @@
 //! | *Q* = 1/*w* in a triangle | 31 | at most 2⁻³⁰ of its value at the nearest corner |
 //! | *P* = *a*/*w* in a triangle | 30 and a sign | a power of two for which \|*P*\| ≤ *Q*/2 |
 //!
-//! **The entries of a matrix share an exponent** (block floating point): they differ in size from scene to scene, but
-//! not much within a scene. A product of two mantissas has 60 bits, and 64 bits hold the sum of three products. The
-//! example rotates a point by a thousandth of a degree: first by a matrix whose entries share an exponent, then by one
-//! whose entries have the fixed unit 2⁻¹⁶:
+//! **The entries of a matrix share an exponent** (block floating point): the entries differ in size from scene to
+//! scene, but not much within a scene. A product of two mantissas has 60 bits, and 64 bits hold the sum of three
+//! products. The example rotates a point by a thousandth of a degree: first by a matrix whose entries share an
+//! exponent, then by one whose entries have the fixed unit 2⁻¹⁶:
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -35,10 +35,10 @@
 //!
 #![doc = formula!({prime(r) = r (2 - Q r) = r (1 + e)} {1 - Q prime(r) = 1 - (1 - e) (1 + e) = e^2})]
 //!
-//! From one pixel to the next, *Q* changes by a small fraction δ of its value. The reciprocal of the last pixel is a
-//! guess with an error of δ, and one step (two products) reduces the error to δ². The mode
-//! [`Newton`](crate::mode::Newton) takes its guess from the line through the last two reciprocals instead. This guess
-//! has an error of about 2δ², and the step reduces the error to 4δ⁴.
+//! From one pixel to the next, *Q* changes by a small fraction δ of its value. The reciprocal at the previous pixel is
+//! a guess with an error of δ, and one step (two products) reduces the error to δ². The mode
+//! [`Newton`](crate::mode::Newton) takes its guess from the line through the previous two reciprocals instead. This
+//! guess has an error of about 2δ², and the step reduces the error to 4δ⁴.
 //!
 //! ```
 //! // 1/w at two pixels; δ is 1/64. Reciprocals are in units of 2⁻⁶¹.
@@ -59,8 +59,9 @@
     {|twice_dotted(a)| = 2 |dotted(a)| var "δ"}
 )]
 //!
-//! The error of a chord over *L* pixels is at most |*ȧ*| δ *L*²/4, an eighth of *L*² times the second derivative. The
-//! mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below your tolerance.
+//! A straight piece over *L* pixels is a chord of this curve. Its error is at most |*ȧ*| δ *L*²/4, an eighth of *L*²
+//! times the second derivative. The mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below
+//! your tolerance.
 //!
 #![doc = include_str!("../diagrams/pieces.svg")]
 //!

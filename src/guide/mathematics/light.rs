@@ -1,4 +1,4 @@
-//! Light: what a surface's corners get from its normals, the lights and the eye.
+//! Light: how the normals, the lights and the eye determine the brightness at a surface's corners.
 //!
 //! All vectors on this page are in world space. The vectors *n* (the normal), *l* (toward the light) and *v* (toward
 //! the eye) have the length one.
@@ -17,8 +17,8 @@
 #![doc = include_str!("../diagrams/stretched.svg")]
 //!
 //! By hand: a roof with the normal (1, 0, 1) contains the direction (1, 0, −1). Stretch x to twice its length. The
-//! direction becomes (2, 0, −1). With *M*, the normal would become (2, 0, 1), and the dot product would be 3. The
-//! transpose of the inverse halves x: (½, 0, 1). The dot product is 1 − 1 = 0.
+//! direction becomes (2, 0, −1). With *M*, the normal would become (2, 0, 1), and its dot product with the direction
+//! would be 3. The transpose of the inverse halves x: the normal becomes (½, 0, 1), and the dot product is 1 − 1 = 0.
 //!
 //! Light from (1, 0, 2) falls squarely on the stretched roof, so the roof has full brightness. With the wrong normal,
 //! the cosine would be 4/5, and a white roof would be drawn with 204 in place of 255:
@@ -50,7 +50,7 @@
 //!
 //! **A matte surface is as bright as the cosine of the angle between its normal and the light (Lambert).** A beam of
 //! light with a width of 1 falls on a strip of the surface. If the light comes at the angle φ from the normal, the
-//! strip has the width 1/cos φ. The same light on a longer strip is weaker:
+//! strip has the width 1/cos φ. The same light on a wider strip is weaker:
 //!
 #![doc = formula!({brightness = fun max (0, n dot l) = fun max (0, fun cos var "φ")})]
 //!
@@ -66,7 +66,8 @@
 //! | 120° | none | 0.000 |
 //!
 //! By hand: the sun is in the direction (0, 4, 3), so *l* = (0, 0.8, 0.6). The ground has *n* = (0, 1, 0), and *n* ·
-//! *l* = 0.8. With a sun of 0.5 and light from all sides (ambient) of 0.25, the brightness is 0.25 + 0.5 · 0.8 = 0.65:
+//! *l* = 0.8. With a sun of strength 0.5 and ambient light (from all sides) of strength 0.25, the brightness is 0.25 +
+//! 0.5 · 0.8 = 0.65:
 //!
 //! ```
 //! use fixel::math::Direction;
@@ -82,7 +83,7 @@
 //!
 //! **A shiny surface mirrors the light, and blurs the mirror image (Phong).** The mirror image of *l* is the direction
 //! *r*. Split *l* into its part along the normal, (*n* · *l*) *n*, and the rest. A mirror keeps the first part, and
-//! turns the rest around:
+//! reverses the rest:
 //!
 #![doc = formula!({r = 2 (n dot l) n - l} {highlight = (fun max (0, r dot v))^e})]
 //!
@@ -106,8 +107,8 @@
 //! | 30° | 0.316 | 0.330 |
 //! | 40° | 0.119 | 0.137 |
 //!
-//! fixel uses Blinn's formula. At grazing angles, highlights become long and narrow with *h*, as they do on real
-//! surfaces, and stay round with *r*.
+//! fixel uses Blinn's formula. At grazing angles, highlights by *h* become long and narrow, as on real surfaces;
+//! highlights by *r* stay round.
 //!
 //! By hand: *n* = *v* = (0, 0, 1), and the light is at *l* = (0.6, 0, 0.8). Then *r* = (−0.6, 0, 0.8) and *r* · *v* =
 //! 0.8. The sum *l* + *v* = (0.6, 0, 1.8) has the length √3.6, so (*n* · *h*)² = 1.8²/3.6 = 0.9. With *e* = 8, Phong's

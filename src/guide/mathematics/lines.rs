@@ -5,7 +5,7 @@
 //! # Lines
 //!
 //! **The image of a line is a line.** The eye and a line that does not pass through it span a plane. All lines of sight
-//! to the line lie in that plane, and the plane cuts the near plane in a line.
+//! to points of the line lie in that plane, and that plane cuts the near plane in a line.
 //!
 //! For what follows, a line is *P* + *t* *v*, with a point *P*, a direction *v* and a number *t*.
 //!
@@ -13,7 +13,7 @@
 //! the line. Both coordinates are multiplied by the same number, −*n*/*P<sub>z</sub>*, and the image keeps the slope
 //! *v<sub>y</sub>*/*v<sub>x</sub>*.
 //!
-//! **All lines of any other direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
+//! **Parallel lines of any other direction meet in one vanishing point.** As *t* grows, *P* no longer matters:
 //!
 #![doc = formula!(
     {prime(x) = -n frac(P[x] + t v[x])(P[z] + t v[z]) to -n frac(v[x])(v[z])}
@@ -49,7 +49,7 @@
 //!
 #![doc = include_str!("../diagrams/rails.svg")]
 //!
-//! The rails have the direction −z. The sleepers are parallel to x and stay level.
+//! The rails have the direction −z. The crossties are parallel to x and stay level.
 //!
 //! ```
 //! use fixel::{fx, textbook::speed, vec3};
@@ -93,7 +93,7 @@
 #![doc = include_str!("../diagrams/foreshortening.svg")]
 //!
 //! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. The point's distance *w* is the
-//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*, and at the ends *nx* = *wx*′:
+//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*; at the ends, *nx* = *wx*′:
 //!
 #![doc = formula!(
     {prime(x) = frac((1 - t) n x[0] + t n x[1])((1 - t) w[0] + t w[1])}
@@ -107,7 +107,7 @@
     {frac(q)(1 - q) = frac(t)(1 - t) dot frac(w[1])(w[0])}
 )]
 //!
-//! To solve the last equation for *t*, exchange the distances:
+//! The last equation stays true if *t* and *q* change places, and *w*₀ and *w*₁ do, too. Therefore
 //!
 #![doc = formula!({t = frac(q w[0])(w[1] - q (w[1] - w[0]))})]
 //!
@@ -126,9 +126,9 @@
 //!
 #![doc = formula!({a = frac(fun lerp (a[0] / w[0], a[1] / w[1], q))(fun lerp (1 / w[0], 1 / w[1], q))})]
 //!
-//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for the fourth
-//! homogeneous coordinate after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the fraction
-//! in space:
+//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for *w*, the fourth
+//! homogeneous coordinate, after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the
+//! fraction in space:
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
 //!

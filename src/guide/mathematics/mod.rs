@@ -3,12 +3,12 @@
 //! With these pages you can work out by hand where a point of your scene lands on the screen, which triangle draws a
 //! pixel on a shared edge, how bright the pixel is, and why a texture bends if depth is interpolated the wrong way. You
 //! can also say where the errors of fixed point come from, and how large they are. You need to know vectors and
-//! matrices, but nothing about graphics. Each step states a claim, derives it, and checks numbers with the call that
-//! computes them.
+//! matrices, but nothing about graphics. Each step states a claim, derives it, and checks numbers with the functions
+//! that compute them.
 //!
-//! Read the pages from top to bottom. They follow a vertex until it is a pixel:
+//! Read the pages in this order. They follow a vertex until it has become pixels:
 //!
-//! 1. [A turn](rotation#a-turn): Rodrigues' formula. The model is placed in the world
+//! 1. [A turn](rotation#a-turn): Rodrigues' formula, which turns a model in the world
 //! 2. [A quaternion](rotation#a-quaternion): a turn in four numbers, and one turn after another
 //! 3. [Time](rotation#time): turns that do not drift
 //! 4. [A camera](camera#a-camera): look-at, the inverse, a camera placed by moves

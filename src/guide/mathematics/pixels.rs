@@ -13,8 +13,9 @@
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
-//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*. Divided by *w*, the first term is linear in *x*′
-//! and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w* is linear.
+//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*, with a vector *g* and a number *d*. Divide *a* by
+//! *w*: the first term becomes linear in *x*′ and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w*
+//! is.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
 //! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
@@ -29,9 +30,9 @@
 //!
 //! **A pixel needs one division.** Along a row of pixels, a linear function changes by the same amount from pixel to
 //! pixel. A renderer adds this amount to *Q* = 1/*w* and to each *P* = *a*/*w*. But the quotient *P*/*Q* does not
-//! change by the same amount: if *Q* falls evenly from 1 over ¾ and ½ to ¼, then *w* grows from 1 over 1⅓ and 2 to 4.
-//! Additions alone follow only straight lines. A small processor takes far longer for a division than for a product. So
-//! divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
+//! change by the same amount: if *Q* takes the values 1, ¾, ½ and ¼, then *w* takes the values 1, 1⅓, 2 and 4. So
+//! additions alone cannot produce the quotient. A small processor takes far longer for a division than for a product.
+//! Therefore divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
 //!
 //! **Additions repeat their rounding error.** The step from pixel to pixel is rounded once. After 300 pixels, this
 //! error has been added 300 times. So *P* and *Q* need about 9 more bits than the result, because 2⁹ is 512. fixel
@@ -70,9 +71,9 @@
 //!
 //! # A depth step
 //!
-//! **At the distance *w*, a depth buffer of 16 bits tells two surfaces apart if they are *w*²/(65535 *n*) apart.** The
-//! buffer stores the depth *D* = 65535 *n*/*w*, rounded down. Its derivative says how much *D* changes when *w* changes
-//! by a small Δ*w*. Set the change of *D* to one step:
+//! **At the distance *w*, a depth buffer of 16 bits tells two surfaces apart if the distance between them is at least
+//! *w*²/(65535 *n*).** The buffer stores the depth *D* = 65535 *n*/*w*, rounded down. Its derivative says how much *D*
+//! changes when *w* changes by a small Δ*w*. Set the change of *D* to one step:
 //!
 #![doc = formula!({D = frac(65535 n)(w)} {frac(d D)(d w) = -frac(65535 n)(w^2)} {var "Δ" w = frac(w^2)(65535 n)})]
 //!
@@ -81,8 +82,8 @@
 //!
 //! By hand, with *n* = 1 and *w* = 1000: *D* = 65.535, so the buffer stores 65. The formula gives a step of
 //! 1,000,000/65,535 = 15.3. The exact ends of the step are 65535/66 = 993.0 and 65535/65 = 1008.2. Two surfaces at the
-//! distances 995 and 1005 have the same stored depth. With *n* = 2, their depths are 131 and 130. **Twice the near
-//! plane's distance makes all steps half as large.**
+//! distances 995 and 1005 have the same stored depth. With *n* = 2, their depths are 131 and 130. **With the near plane
+//! twice as far away, all steps are half as large.**
 //!
 //! | distance *w* | stored depth | nearest | farthest with this depth | *w*²/65535 |
 //! |---:|---:|---:|---:|---:|
@@ -113,8 +114,8 @@
 //! # A mip level
 //!
 //! **Level *k* of a mipmap suits a pixel that covers 2<sup>*k*</sup> texels.** A texel of level *k* is the mean of
-//! 2<sup>*k*</sup>x2<sup>*k*</sup> texels of level 0. So the level is the logarithm, with base 2, of the texels that
-//! lie between two neighboring pixels.
+//! 2<sup>*k*</sup>x2<sup>*k*</sup> texels of level 0. So the level is the logarithm, with base 2, of the number of
+//! texels from one pixel to the next.
 //!
 //! Take a floor at the height *h* below the eye, and let *F* be the focal length in pixels. By similar triangles, the
 //! floor at the distance *w* is seen *y* = *Fh*/*w* rows below the horizon. From column to column, the floor advances
@@ -123,13 +124,14 @@
 //!
 #![doc = formula!({-frac(d w)(d y) = frac(F h)(y^2) = frac(w^2)(F h) = frac(w)(F) dot frac(w)(h)})]
 //!
-//! The first factor is the pixel's size. The second factor is the stretch along the line of sight. With *m* texels per
-//! unit of length:
+//! The first factor is the size of a pixel at the distance *w*. The second factor is the stretch along the line of
+//! sight. With *m* texels per unit of length:
 //!
 #![doc = formula!({level = log[2] (m dot frac(w)(F) dot frac(w)(h))})]
 //!
-//! For another plane, *h* is the distance of the eye from the plane. This is the level for the direction in which the
-//! texture is foreshortened most. Across, *w*/*F* would do, so the picture is softer than necessary in that direction.
+//! For another plane, *h* is the distance of the eye from the plane. The level suits the direction along the line of
+//! sight, in which the texture is foreshortened most. Across the line of sight, a pixel covers only *m* *w*/*F* texels,
+//! so a lower level would be enough, and the picture is softer than necessary.
 //!
 //! By hand: *m* = 64, *F* = 160, *h* = 1. The floor at the distance 5 is seen 160/5 = 32 rows below the horizon.
 //! Across, a pixel covers 64 · 5/160 = 2 texels. Along the line of sight, it covers five times as many, 10 texels. The
@@ -142,11 +144,11 @@
 //! | 32 | 5 | 2.0 | 10.0 | 3.32 | 3 |
 //! | 16 | 10 | 4.0 | 40.0 | 5.32 | 5 |
 //!
-//! Without mipmaps, the pixels at the distance 10 would show one of 40 texels by chance, and another one in the next
-//! frame: the floor flickers. With mipmaps, they show a mean:
+//! Without mipmaps, a pixel at the distance 10 would show one of 40 texels by chance, and another one in the next
+//! frame: the floor would flicker. With mipmaps, the pixel shows a mean:
 //!
 #![cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]
-//! [`Textured::mipmapped`](crate::Textured::mipmapped) gives the accuracy and the cost.
+//! The page of [`Textured::mipmapped`](crate::Textured::mipmapped) gives the accuracy and the cost of mipmaps.
 //!
 //! Tests: `accuracy/formulas/pixel.rs`; pictures with mipmaps in `accuracy/mipmap.rs`.
 //!

@@ -10,9 +10,9 @@
 //!
 #![doc = include_str!("../diagrams/similar_triangles.svg")]
 //!
-//! The eye, the point and its image lie on one straight line. The small triangle and the large one share the angle at
-//! the eye, and both have a right angle. Their sides are in proportion: *y*′ is to *n* as *y* is to −*z*. The same
-//! holds for *x*.
+//! The eye, the point and its image lie on one straight line. In the diagram, the small triangle and the large one
+//! share the angle at the eye, and both have a right angle. Their sides are in proportion: *y*′ is to *n* as *y* is to
+//! −*z*. The same holds for *x*.
 //!
 //! At *z* = 0 the line of sight is parallel to the near plane and never meets it. Behind the eye, *z* is positive and
 //! the signs of *x*′ and *y*′ flip: the image would be upside down, with left and right exchanged. In both cases,
@@ -76,10 +76,10 @@
 )})]
 //!
 //! The depth is −*A* + *B*/*w*. It is called pseudo-depth, because it keeps the order of distances but not their
-//! proportions: with *n* = 2 and *f* = 10, half of its range is used up at a distance of 3⅓. The distance itself is not
-//! suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does not ([A
-//! segment](crate::guide::mathematics::lines#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which is also
-//! linear in 1/*w*, and needs no far plane.
+//! proportions: with *n* = 2 and *f* = 10, half of the range of pseudo-depth is used up at a distance of 3⅓. The
+//! distance itself is not suitable as a depth, because along a line on the screen, 1/*w* changes evenly, but *w* does
+//! not ([A segment](crate::guide::mathematics::lines#a-segment)). A depth buffer of fixel stores 65535 *n*/*w*, which
+//! is also linear in 1/*w*, and needs no far plane.
 //!
 #![doc = include_str!("../diagrams/pseudo_depth.svg")]
 //!
@@ -102,9 +102,9 @@
 //!
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
-//! The matrix with these *A* and *B*, and with *n* in the first two rows in place of the window, is the perspective
-//! transform *P*. It squeezes the frustum into a box as wide as the window, and leaves both planes in place. A point at
-//! the distance *w* moves to the distance *n* + *f* − *nf*/*w*.
+//! The perspective transform *P* is the matrix with these *A* and *B*, and with *n* in its first two rows instead of
+//! the terms with the window. It squeezes the frustum into a box as wide as the window, and leaves both planes in
+//! place. A point at the distance *w* moves to the distance *n* + *f* − *nf*/*w*.
 //!
 #![doc = formula!({P = matrix(
     [n] [0] [0]     [0];
@@ -121,8 +121,9 @@
     {fun translate (-frac(r + l)(r - l), -frac(t + b)(t - b), -frac(f + n)(f - n))}
 )]
 //!
-//! To check the third row: scaling gives −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving adds (*f*+*n*)/(*f*−*n*) to
-//! the first number, because the last row of *P* has −1 in the third column. The results are *A* and *B*.
+//! To check the third row: scaling turns *n* + *f* and *nf* into −2(*n*+*f*)/(*f*−*n*) and −2*nf*/(*f*−*n*); moving
+//! adds (*f*+*n*)/(*f*−*n*) to the first number, because the last row of *P* has −1 in the third column. The results
+//! are *A* and *B*.
 //!
 //! ```
 //! use fixel::{Window, Matrix4, prelude::*, textbook::perspective_transform};
@@ -145,7 +146,7 @@
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
 //! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
 //! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). Draw calls work in this order.
+//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). fixel's draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -172,11 +173,11 @@
 //!
 #![doc = include_str!("../diagrams/field_of_view.svg")]
 //!
-//! In the right triangle between the eye, the middle of the window and its upper edge, the side opposite half the field
-//! of view is *t*, and the adjacent side is *n*. The second line of formulas solves the first line for the aspect ratio
-//! and the angle. A window need not be centered: [`Projection::frustum`](crate::Projection::frustum) accepts any
-//! window, for one half of a stereo pair or for one of several panels. The matrix of an off-center window also has
-//! entries in the third column.
+//! The eye, the middle of the window and the middle of its upper edge are the corners of a right triangle. The side
+//! opposite half the field of view is *t*, and the adjacent side is *n*. The second line of formulas solves the first
+//! line for the aspect ratio and the angle. A window need not be centered:
+//! [`Projection::frustum`](crate::Projection::frustum) accepts any window, for one half of a stereo pair or for one of
+//! several panels. The matrix of an off-center window also has entries in the third column.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -224,7 +225,7 @@
 //! # Parallel views
 //!
 //! **An orthographic projection only scales and moves.** It maps a box to −1…1 along each axis and leaves *w* at 1, so
-//! parallel lines stay parallel. It is translate · scale, the product of [A matrix](#a-matrix) without *P*:
+//! parallel lines stay parallel. Its matrix is translate · scale, the product in [A matrix](#a-matrix) without *P*:
 //!
 #![doc = formula!({matrix(
     [frac(2)(r - l)] [0]              [0]               [-frac(r + l)(r - l)];
@@ -252,7 +253,7 @@
 //!
 //! In an isometric view, the images of all three axes have the same length, so the axes have the same *k*. The three
 //! numbers *k* are the components of the camera's back axis, a unit vector. So each is 1/√3, and each length is √(2/3),
-//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle with the sine 1/√3. In a dimetric view, two
+//! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle whose sine is 1/√3. In a dimetric view, two
 //! of the three lengths are equal. In a trimetric view, all three lengths differ. A view along an axis shows the front,
 //! a side or the top.
 //!
@@ -266,13 +267,13 @@
 //! }
 //! ```
 //!
-//! **An oblique view leaves the front undistorted.** A point at a depth *d* behind the front moves by ρ*d* in the
-//! direction of an angle φ:
+//! **An oblique view leaves the front undistorted.** The image of a point at a depth *d* behind the front moves by
+//! ρ*d*, in a direction at the angle φ to the x axis:
 //!
 #![doc = formula!({prime(x) = x + var "ρ" d fun cos var "φ"} {prime(y) = y + var "ρ" d fun sin var "φ"})]
 //!
-//! An edge of length one that points straight back has an image of length ρ: 1 in a cavalier projection, ½ in a cabinet
-//! projection.
+//! An edge of length one that points straight back has an image of length ρ. In a cavalier projection ρ is 1; in a
+//! cabinet projection it is ½.
 //!
 #![doc = include_str!("../diagrams/parallel.svg")]
 //!

@@ -10,10 +10,10 @@
     {prime(v) = fun cos var "θ" v + fun sin var "θ" (u times v) + (1 - fun cos var "θ") (u dot v) u}
 )]
 //!
-//! Split *v* into two parts. The part *p* = (*u* · *v*) *u* lies along the axis and stays. The rest, *r* = *v* − *p*,
-//! is at right angles to the axis. The vector *b* = *u* × *v* is as long as *r*, and is at right angles to the axis and
-//! to *r*. Seen from the tip of the axis, *b* is *r* after a quarter of a turn counter-clockwise. So *r* turns as in
-//! the plane:
+//! Split *v* into two parts. The part *p* = (*u* · *v*) *u* lies along the axis and stays as it is. The rest, *r* = *v*
+//! − *p*, is at right angles to the axis. The vector *b* = *u* × *v* is as long as *r*, and is at right angles to the
+//! axis and to *r*. Seen from the tip of the axis, *b* is *r* after a quarter of a turn counter-clockwise. So *r* turns
+//! in the plane of *r* and *b*:
 //!
 #![doc = include_str!("../diagrams/turn.svg")]
 //!
@@ -22,7 +22,7 @@
     {p = (u dot v) u} {r = v - p} {b = u times v}
 )]
 //!
-//! Insert *p* and *r*, and collect the terms with *v*. This is Rodrigues' formula.
+//! Insert *p* and *r*, and collect the terms with *v*. The result is Rodrigues' formula.
 //!
 //! By hand: the axis (3, 0, 4) has the length 5, so *u* = (0.6, 0, 0.8). For *v* = (5, 5, 0), *u* · *v* = 3. Then *p* =
 //! (1.8, 0, 2.4), *r* = (3.2, 5, −2.4) and *b* = (−4, 4, 3). The result always has the length of *v*, √50:
@@ -73,8 +73,8 @@
 //!
 #![doc = formula!({q = (c, s u)} {q^{*} = (c, -s u)} {(0, prime(v)) = q (0, v) q^{*}})]
 //!
-//! To see that this is the turn, multiply. The first product is (−*s* *u* · *v*, *c* *v* + *s* *u* × *v*). In the
-//! second product, the number cancels, because *u* × *v* is at right angles to *u*. The vector is
+//! To see that *v*′ is the turned vector, multiply. The first product, *q* (0, *v*), is (−*s* *u* · *v*, *c* *v* + *s*
+//! *u* × *v*). In the second product, the number is zero, because *u* × *v* is at right angles to *u*. The vector is
 //!
 #![doc = formula!({prime(v) = s^2 (u dot v) u + c^2 v + 2 c s (u times v) - s^2 (u times v) times u})]
 //!
@@ -82,17 +82,17 @@
 //!
 #![doc = formula!({prime(v) = (c^2 - s^2) v + 2 c s (u times v) + 2 s^2 (u dot v) u})]
 //!
-//! The identities for double angles are *c*² − *s*² = cos θ, 2*cs* = sin θ and 2*s*² = 1 − cos θ. They turn this into
-//! Rodrigues' formula. The quaternion stands on both sides of *v*, and each side turns by half the angle. Therefore *q*
-//! and −*q* are the same turn.
+//! The identities for double angles are *c*² − *s*² = cos θ, 2*cs* = sin θ and 2*s*² = 1 − cos θ. With them, this is
+//! Rodrigues' formula. The quaternion stands on both sides of *v*, so each side contributes half the angle. In −*q*,
+//! the two signs cancel: *q* and −*q* are the same turn.
 //!
 //! **The product *q*₂*q*₁ turns by *q*₁ first.** The conjugate of a product is the product of the conjugates in reverse
 //! order, so (*q*₂*q*₁) *v* (*q*₂*q*₁)\* = *q*₂ (*q*₁ *v* *q*₁\*) *q*₂\*.
 //!
-//! By hand: a quarter turn about x, and then a quarter turn about y. Half of 90° has equal sine and cosine, so *q*₁ =
-//! (1, 1, 0, 0)/√2 and *q*₂ = (1, 0, 1, 0)/√2, with *w* first. By the rule, *q*₂*q*₁ = (1, 1, 1, −1)/2: the last number
-//! comes from y × x = −z. The cosine of half the angle is ½, so the two quarter turns are **a third of a turn about (1,
-//! 1, −1)**.
+//! By hand: a quarter turn about x, and then a quarter turn about y. The sine and the cosine of half of 90° are equal,
+//! so *q*₁ = (1, 1, 0, 0)/√2 and *q*₂ = (1, 0, 1, 0)/√2, with *w* first. By the rule, *q*₂*q*₁ = (1, 1, 1, −1)/2: the
+//! last number comes from y × x = −z. The cosine of half the angle is ½, so the two quarter turns are **a third of a
+//! turn about (1, 1, −1)**.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -110,10 +110,10 @@
 //!
 //! A product of quaternions takes 16 multiplications, and a product of matrices takes 27. To turn many points, make the
 //! matrix first: a point then takes 9 multiplications. Rounding makes a quaternion longer or shorter, and a division by
-//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) also makes its matrix from a quaternion, (|*a*|
-//! *c*, *s* *a*) for an axis *a* of any length, so that no rounded axis of length one can stretch a model. A matrix that
-//! is multiplied again and again loses its right angles; [`Transform::renormalized`](crate::Transform::renormalized)
-//! repairs them.
+//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) also makes its matrix from a quaternion,
+//! (|*a*| *c*, *s* *a*) for an axis *a* of any length. It does not scale the axis to length one, because the rounded
+//! axis would stretch a model. A matrix that is multiplied again and again loses its right angles;
+//! [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
 //!
 //! Tests: `accuracy/formulas/rotation.rs`.
 //!
@@ -132,7 +132,8 @@
 //! compute an angle from the time since the start (absolute), or add a step for each frame (incremental). If the
 //! program adds rounded steps, the rounding errors add up: 16 ms at ten turns per minute are 11,453,246.12 units, so
 //! each frame loses 0.12 of a unit. [`Rate::angle_at`](crate::Rate::angle_at) is absolute: it multiplies rate and time
-//! as integers, drops whole turns, and rounds once. So its result is the same at any time, for frames of any length.
+//! as integers, drops whole turns, and rounds once. So its result is equally exact at any time, for frames of any
+//! length.
 //!
 //! ```
 //! use fixel::{Angle, Fraction, Rate, deg};

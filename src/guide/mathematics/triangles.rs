@@ -1,4 +1,4 @@
-//! Triangles: which pixels a triangle has, and who gets the pixels on a shared edge.
+//! Triangles: which pixels a triangle covers, and which of two triangles gets a pixel on their shared edge.
 //!
 //! All positions on this page are on the screen: x points to the right, and y points **down**. A pixel belongs to a
 //! triangle if the triangle covers the pixel's center. Column 3 of row 2 has its center at (3.5, 2.5).
@@ -11,7 +11,7 @@
 //!
 //! This is the cross product of *b* − *a* and *p* − *a*: the length of the edge times the distance of *p* from the
 //! line, with a sign. On the line it is zero. It is positive on the right-hand side of someone who walks from *a* to
-//! *b*. Turn around, and left and right are exchanged: from *b* to *a*, the function has the opposite sign.
+//! *b*. In the other direction, from *b* to *a*, left and right are exchanged, and the function has the opposite sign.
 //!
 //! An edge function is linear in *p*: one column to the right, it grows by the y of *a* minus the y of *b*; one row
 //! down, it grows by the x of *b* minus the x of *a*.
@@ -22,13 +22,13 @@
 //!
 #![doc = formula!({E[a b] (p) + E[b c] (p) + E[c a] (p) = E[a b] (c) = 2 A})]
 //!
-//! In the sum, the factors of *p* are the sides of the triangle, which add up to zero. So the sum is the same
-//! everywhere. At *p* = *c*, only the first term is left: base times height. The quotients of the edge functions and
-//! 2*A* add up to 1. They are the barycentric coordinates of *p*, the weights with which
+//! In the sum, *p* is multiplied by the three sides of the triangle, which add up to zero as vectors. So the sum is the
+//! same everywhere. At *p* = *c*, only the first term is left: base times height. Divide each edge function by 2*A*:
+//! the three quotients add up to 1. They are the barycentric coordinates of *p*, the weights with which
 //! [attributes](crate::guide::mathematics::pixels#an-attribute) are interpolated.
 //!
 //! The area has a sign. It is positive if the corners run clockwise on the screen. Front faces run counter-clockwise,
-//! so a triangle with a positive area turns its back, and is culled.
+//! so a triangle with a positive area shows its back, and is culled.
 //!
 //! A point is inside a triangle if the three edge functions have the same sign.
 //!
@@ -39,21 +39,22 @@
 //! rule.
 //!
 //! Why is a rule needed? Two triangles lie on the two sides of the edge that they share. At a center beside the edge,
-//! one of them finds a positive number, and the other finds its opposite. So one of them draws the pixel. At a center
-//! on the edge, both find zero. If zero counted as inside, both would draw the pixel, and glass would have a bright
-//! seam. If zero counted as outside, the background would show. By the rule, exactly one draws it: if the edge is a
-//! left edge for one triangle, it is a right edge for the other; a top edge is the other triangle's bottom edge.
+//! the edge function is positive for one triangle and negative for the other. So one of them draws the pixel. At a
+//! center on the edge, the function is zero for both. If zero counted as inside, both would draw the pixel, and glass
+//! would have a bright seam. If zero counted as outside, the background would show. By the rule, exactly one triangle
+//! draws the pixel: the left edge of one triangle is the right edge of the other, and the top edge of one is the bottom
+//! edge of the other.
 //!
 //! Why does the rule also decide at a corner, where many triangles meet? Move all centers by an infinitely small step
 //! to the right, and down by a step that is far smaller still. Now no center is on an edge, and each center is in
-//! exactly one triangle. The move takes a center on a left edge into the triangle, and a center on a top edge, too. It
-//! takes centers on all other edges out. So the moved centers and the rule give the same answers.
+//! exactly one triangle. The move takes centers on a left or a top edge into the triangle, and centers on all other
+//! edges out of it. So the moved centers and the rule give the same answers.
 //!
 //! By hand: a square from (1.5, 1.5) to (5.5, 5.5) has two triangles, both clockwise. The orange one has the corners
 //! (1.5, 1.5), (5.5, 1.5), (1.5, 5.5), and the blue one (5.5, 1.5), (5.5, 5.5), (1.5, 5.5). The center (3.5, 3.5) is on
-//! the diagonal. The blue triangle walks the diagonal from *a* = (1.5, 5.5) to *b* = (5.5, 1.5), and finds 4 · (−2) −
-//! (−4) · 2 = 0. Its other two edge functions are 8 and 8. The sum is 16, twice its area of 8. The diagonal is its left
-//! edge, so the blue triangle owns the pixel.
+//! the diagonal. In the blue triangle, the diagonal runs from *a* = (1.5, 5.5) to *b* = (5.5, 1.5), and its edge
+//! function is 4 · (−2) − (−4) · 2 = 0. The other two edge functions are 8 and 8. The sum is 16, twice its area of 8.
+//! The diagonal is the blue triangle's left edge, so the blue triangle owns the pixel.
 //!
 #![doc = include_str!("../diagrams/shared_edge.svg")]
 //!
@@ -88,16 +89,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **All of this must be exact.** A rounded edge function could be a little above zero in one triangle and in the
-//! other. fixel rounds the corners to 1/256 pixel first. Then all numbers are integers: differences of positions have
-//! at most 21 bits, their products 42, and nothing is rounded any more. Neighbors round a shared corner in the same
-//! way, so they have the same edge.
+//! **All of this must be exact.** Rounded edge functions of a shared edge could be a little above zero in both
+//! triangles. fixel rounds the corners to 1/256 pixel first. Then all numbers are integers: differences of positions
+//! have at most 21 bits, their products 42, and nothing is rounded any more. Neighbors round a shared corner in the
+//! same way, so they have the same edge.
 //!
 //! **fixel does not compute three edge functions for every pixel.** In each row, it needs only two columns: the first
 //! with its center on the left edge or to the right of it, and the first with its center on the right edge or to the
-//! right of it. The triangle's pixels are from the first to *before* the second: the top-left rule. The rows are found
-//! in the same way. From row to row, an edge moves by a fraction with the edge's height as its divisor. The crate
-//! divides once for each edge. It then adds the quotient and the remainder in each row, so the positions remain exact.
+//! right of it. The triangle covers the columns from the first of these up to, but *not* including, the second, as the
+//! top-left rule demands. The rows are found in the same way. From row to row, an edge moves by a fraction with the
+//! edge's height as its divisor. The crate divides once for each edge. It then adds the quotient and the remainder in
+//! each row, so the positions remain exact.
 //!
 //! Tests: `accuracy/formulas/coverage.rs`; all kinds of meshes in `accuracy/coverage.rs`. Beside the code: edges in
 //! `src/raster/edge.rs`, pictures in `src/raster/triangle.rs`.
