@@ -2,14 +2,17 @@
 // examples/boards/emulator/pico.js. .ci/install.py installs rp2040js there.
 //
 //     rp2040.mjs PROGRAM PICTURE.ppm [--bus gaps|instant] [--landscape] [--no-cs] [--short] [--slow CORE]
-//         [--fault NAME] [--profile FILE]
+//         [--fault NAME] [--panic] [--profile FILE]
 //
 // The program is an ELF file or a UF2.
 //
 // Writes what the panel shows after some frames, and prints the time in ms at which the program drew the last of them,
-// the mean of the cycles from one frame to the next, the bus's frequency in kHz, and the bytes of stack that each core
-// used.
+// the mean of the cycles from one frame to the next, the bus's frequency in kHz, a 1 or a 0 for each frame for which
+// the LED was on or off, and the bytes of stack that each core used.
 //
+// --panic    a frame is on its way when a core reads another number of its own than 0 and 1, once, which rp2040-hal
+//            answers with a panic. Writes what the panel shows then. Prints the times in ms for which the LED is on, off,
+//            on, ... until a pause, and the bytes of stack.
 // --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
 //            instant: the bus takes no time, so that only the processors' time remains
 // --landscape  the panel is an ST7789 of 240x320 pixels, turned to 320x240
@@ -24,14 +27,15 @@ import { parseArgs } from 'node:util';
 import { Pico, ST7789 } from '../examples/boards/emulator/pico.js';
 
 const RAM = 0x20000000, RAM_END = 0x20042000;
-const LIMIT = 2e9; // ns
+const LIMIT = 4e9; // ns
 
 const fail = message => { console.error(message); exit(1); };
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     bus: { type: 'string' }, landscape: { type: 'boolean' }, 'no-cs': { type: 'boolean' },
-    short: { type: 'boolean' }, slow: { type: 'string' }, fault: { type: 'string' }, profile: { type: 'string' },
+    short: { type: 'boolean' }, slow: { type: 'string' }, fault: { type: 'string' }, panic: { type: 'boolean' },
+    profile: { type: 'string' },
   },
 });
 // From frame FIRST on, PERIODS frames are measured. The picture is the last one.
@@ -52,7 +56,21 @@ const { clock, dma } = chip;
 pico.clocks = { gaps: bits => bits + 2, instant: () => 0 }[options.bus] ?? pico.clocks;
 // The time advances by 750 ms for each frame, so that a few frames show all of an animation.
 const STEP_MS = 750;
-pico.time = () => STEP_MS * (pico.asked.length + 1) * 1000;
+pico.time = () => {
+  // By now, the program has set the LED for the last frame.
+  levels.push(isLedOn);
+  return STEP_MS * (pico.asked.length + 1) * 1000;
+};
+// The LED on the board: whether it is on, and was at the end of each frame.
+let isLedOn = 0;
+const levels = [];
+// When the LED changed after a panic, in ns, from the time on at which it was first on.
+const blinks = [];
+chip.gpio[25].addListener(level => {
+  const isOn = Number(level === 1);
+  if (isOn !== isLedOn && isSeeded && (isOn || blinks.length)) blinks.push(clock.nanos);
+  isLedOn = isOn;
+});
 // The first frame only clears the panel.
 const frames = [];
 panel.onFrame = frame => frames.push(frame);
@@ -104,12 +122,24 @@ const faults = {
   invert: () => { module.isInverted = !module.isInverted; },
   colors: () => { module.isBlueFirst = !module.isBlueFirst; },
 };
+// The panic, and how long a run waits for blinks after the last one.
+const PAUSE = 7e8; // ns
+let isSeeded = false;
+const readSio = chip.sio.readUint32;
+chip.sio.readUint32 = at => {
+  if (at !== 0 || !options.panic || isSeeded || frames.length <= FIRST) return readSio(at);
+  isSeeded = true;
+  return 2;
+};
 if (options.fault) (faults[options.fault] ?? fail(`faults: ${Object.keys(faults).join(', ')}`))();
 
+const isDone = () => (options.panic
+  ? blinks.length && clock.nanos - blinks.at(-1) > PAUSE
+  : frames.length > LAST);
 try {
-  while (frames.length <= LAST) {
+  while (!isDone()) {
     pico.step();
-    if (clock.nanos > LIMIT) fail(`only ${frames.length} frames in ${LIMIT / 1e9} s`);
+    if (clock.nanos > LIMIT) fail(`only ${frames.length} frames and ${blinks.length} blinks in ${LIMIT / 1e9} s`);
   }
   panel.check();
 } catch (error) {
@@ -117,9 +147,15 @@ try {
 }
 if (!panel.isLit) fail('the backlight is off');
 for (const complaint of pico.complaints) console.error(complaint);
-const cycles = (frames[LAST].at - frames[FIRST].at) / PERIODS * chip.clkSys / 1e9;
 const [width, height] = panel.size();
-writeFileSync(picture, Buffer.concat([Buffer.from(`P6 ${width} ${height} 255\n`), frames[LAST - 1].pixels]));
+const shown = options.panic ? frames.at(-1) : frames[LAST - 1];
+writeFileSync(picture, Buffer.concat([Buffer.from(`P6 ${width} ${height} 255\n`), shown.pixels]));
 if (options.profile) writeFileSync(options.profile, JSON.stringify([...profile]));
 const used = pico.cores.filter(({ runs }) => runs).map(({ number }) => stacks[number].top - stacks[number].lowest);
-console.log(pico.asked[LAST - 2] / 1000, Math.round(cycles), panel.busHz / 1000, ...used);
+if (options.panic) {
+  const times = blinks.slice(1).map((at, i) => Math.round((at - blinks[i]) / 1e6));
+  console.log(...times, used[0]);
+} else {
+  const cycles = (frames[LAST].at - frames[FIRST].at) / PERIODS * chip.clkSys / 1e9;
+  console.log(pico.asked[LAST - 2] / 1000, Math.round(cycles), panel.busHz / 1000, levels.slice(1).join(''), ...used);
+}

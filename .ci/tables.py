@@ -217,6 +217,12 @@ def names(instructions, other):
         ways = ["240 bands", "40 bands", "40 prepared", "16 bands", "16 prepared"]
         return measured(show, *(f"ring {name} {way}" for way in ways))
 
+    def needle(name, sent):
+        """Instructions, bytes on the bus, and milliseconds for both: two cycles for an instruction at 125 MHz, and a bus
+        of 62.5 MHz."""
+        count = other[f"needle {name}"]
+        return f"{whole(count)} | {whole(sent)} | {tenths(1000 * (2 * count / 125e6 + 8 * sent / 62.5e6))}"
+
     def painter(scene):
         wrong, size = other[f"painter {scene} wrong"], other[f"painter {scene} list"]
         costs = measured(million, f"painter {scene} depth", f"painter {scene} sorted")
@@ -390,6 +396,9 @@ def claims(instructions, other):
         0.005 <= other["cube fast error mean"] < 0.015)
     yield (firmware, "take a quarter more in bands of 16 rows than in a whole frame, and a twelfth more when they are "
            "prepared", round(4 * (cube[1] / cube[0] - 1)) == 1 and round(12 * (cube[2] / cube[0] - 1)) == 1)
+    yield ("src/guide/displays.rs",
+           "At ten steps a second, the processor sleeps for more than nine tenths of the time.",
+           10 * (2 * other["needle step"] / 125e6 + 8 * 7411 / 62.5e6) < 0.1)
     yield (firmware, "takes a fifth of the instructions that it takes [here]",
            4.5 <= kernel("newton-depth-pass", M0) / kernel("newton-depth-pass") < 6.5)
     yield "src/span/mode.rs", "takes a fifth less code than in mode [`Newton`]", (

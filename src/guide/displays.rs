@@ -7,6 +7,7 @@
 //! | program | panel | driver, and the version it was tried with |
 //! |---|---|---|
 //! | [A window of the frame](#a-window-of-the-frame) | ST7789, 240x240 | mipidsi 0.10; any `DrawTarget` will do |
+//! | [A needle over a still dial](#a-needle-over-a-still-dial) | ST7789, 240x240 | mipidsi 0.10; any `DrawTarget` will do |
 //! | [A round panel](#a-round-panel) | GC9A01, 240x240 | mipidsi 0.10; any `DrawTarget` will do |
 //! | [Electronic paper](#electronic-paper) | SSD1680, 122x250 | epd-waveshare 0.6 |
 //! | [An OLED without a second buffer](#an-oled-without-a-second-buffer) | SSD1306, 128x64 | ssd1306 0.10, display-interface-spi 0.5 |
@@ -15,7 +16,10 @@
 //! | [No tearing](#no-tearing) | ST7789, 240x240 | mipidsi 0.10 |
 //! | [Two frames](#two-frames) | ST7789, 240x240 | lcd-async 0.1, embassy-futures 0.1 |
 //!
-//! [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and Embassy and RTIC.
+//! Without a program, the page says how many transactions [a driver's buffer](#a-drivers-buffer) costs, what
+//! [panels without memory](#panels-without-memory) need, and how a canvas becomes an image
+//! [inside another library](#inside-another-library). [Firmware](crate::guide::firmware) covers the whole chip: DMA, two
+//! cores, and Embassy and RTIC.
 //!
 #![doc = page_picture!(# "A window of the frame", "displays/", "window")]
 //! Most of a dashboard does not move. So draw and send only a window around the object that moves.
@@ -28,11 +32,32 @@
 //! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
 //! coordinates of the window's corner must be multiples of 8. The program calls embedded-graphics' `translated` twice:
 //! `canvas.translated` places text by its position in the frame, and `display.translated` puts the window in its place
-//! on the display. The window must contain both the old and the new position of the moving object.
-//! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) gives a rectangle around a mesh. This
-//! program uses the same window for all turns.
+//! on the display. The window must contain both the old and the new position of the moving object. This program uses the
+//! same window for all turns.
 //!
 #![cfg_attr(not(doctest), doc = program!("window"))]
+//!
+#![doc = page_picture!(# "A needle over a still dial", "displays/", "needle")]
+//! If only a needle moves, the library tells which pixels change:
+//! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) is a rectangle around a mesh. The program
+//! draws and sends the rectangle around the old and the new place of the needle (yellow). If the needle rests, the
+//! program does nothing. Between two readings, the processor sleeps: on a Cortex-M, `sleep` is `cortex_m::asm::wfi`, and
+//! the interrupt of a timer or of the sensor ends it. With Embassy, make `run` an `async` function, and wait for a
+//! `Timer`: the executor sleeps meanwhile.
+//!
+//! If the needle goes around the dial in steps of 6 degrees, a step sends 7,411 of the frame's 115,200 bytes (mean). The
+//! table has the instructions on an emulated Cortex-M0+, and the time that a Pico is awake for them: at 125 MHz, with two
+//! cycles for an instruction, and without DMA at 62.5 MHz on the bus. At ten steps a second, the processor sleeps for more
+//! than nine tenths of the time.
+//!
+//! <!-- figures: needle -->
+//! | | instructions | bytes sent | awake, ms |
+//! |---|---:|---:|---:|
+//! | the whole frame | 2,245,760 | 115,200 | 50.7 |
+//! | a step of the needle | 300,721 | 7,411 | 5.8 |
+//! <!-- end -->
+//!
+#![cfg_attr(not(doctest), doc = program!("needle"))]
 //!
 #![doc = page_picture!(# "A round panel", "displays/", "round")]
 //! A round panel does not show the corners of the frame, which are a fifth of the frame. With bands of 16 rows, each as
@@ -92,18 +117,61 @@
 //!
 #![cfg_attr(not(doctest), doc = program!("frames"))]
 //!
-//! On a board with PSRAM, such as a Pimoroni Pico Plus 2, embassy-rp 0.10 provides the memory for the two frames:
+//! On a board with an RP2350 and PSRAM, such as a Pimoroni Pico Plus 2, `psram::Psram` of embassy-rp 0.10 sets up the
+//! memory and returns its address, from which `slice::from_raw_parts_mut` makes the two frames.
 //!
-//! ```ignore
-//! use embassy_rp::{psram, psram::Psram, qmi_cs1::QmiCs1};
+//! # A driver's buffer
 //!
-//! let chip_select = QmiCs1::new(p.QMI_CS1, p.PIN_47);
-//! let psram = Psram::new(chip_select, psram::Config::aps6404l()).unwrap();
-//! // SAFETY: the PSRAM has 8 MB, and nothing else uses it.
-//! let memory: &'static mut [[u8; 2]] =
-//!     unsafe { slice::from_raw_parts_mut(psram.base_address().cast(), 2 * PIXELS) };
-//! let (first, second) = memory.split_at_mut(PIXELS);
-//! ```
+//! mipidsi collects the bytes of colors in a buffer that you give it. Each full buffer is a transaction: the driver takes
+//! the bus, selects the panel, and waits. lcd-async takes the bytes of a canvas as they are
+//! ([`as_bytes`](crate::Canvas::as_bytes)): each band is one transaction, after six for the commands. These are the
+//! transactions for a frame of 240x240 pixels in six bands:
+//!
+//! | driver and buffer | transactions |
+//! |---|---:|
+//! | mipidsi, 64 bytes | 1842 |
+//! | mipidsi, 512 bytes | 264 |
+//! | mipidsi, 4096 bytes | 66 |
+//! | lcd-async | 42 |
+//!
+//! # Panels without memory
+//!
+//! A panel with an RGB interface has no memory: a controller on the chip (LTDC of an STM32, LCD_CAM of an ESP32-S3) reads
+//! the frame from RAM, 60 times a second. Such a frame is mostly in PSRAM or SDRAM. Draw each band in fast memory, with
+//! its depths, and copy it to its rows of the frame: then each pixel is written to the slow memory once. The function
+//! `draw` of [Two frames](#two-frames) does this. In place of sending the frame, give its address to the controller,
+//! which takes it from the next refresh on; then draw into the other frame. The frame takes this much of the slow
+//! memory's time:
+//!
+//! | pixels | a frame, KiB | read for 60 refreshes, MB/s | written for 30 frames, MB/s |
+//! |---|---:|---:|---:|
+//! | 320x240 | 150 | 9.2 | 4.6 |
+//! | 480x272 | 255 | 15.7 | 7.8 |
+//! | 800x480 | 750 | 46.1 | 23.0 |
+//!
+//! PSRAM with four data lines at 80 MHz moves at most 40 MB/s. That is too little for 800x480 pixels at 60 Hz; eight data
+//! lines at both edges of the clock move four times as much. A processor with a data cache must write the cache back
+//! before the controller reads the frame.
+//!
+//! A parallel panel with memory of its own (8080, with 8 or 16 data lines) is like one on SPI: send bands. Let the canvas
+//! store [`Words`](crate::canvas::Words) for 16 lines, and `BigEndian` bytes for 8.
+//!
+//! # Inside another library
+//!
+//! A program whose menus and texts are drawn by another library shows the scene as an image in that library's tree. Draw
+//! on a canvas in the memory of the image, and then tell the library that the image has changed. A C or C++ program calls
+//! a function of yours that is `extern "C"`, and makes the canvas of the pointer that it gets.
+//!
+//! | library | its image | the canvas |
+//! |---|---|---|
+//! | LVGL 9 | `lv_canvas_set_buffer(canvas, bytes, width, height, LV_COLOR_FORMAT_RGB565)` once, and `lv_obj_invalidate(canvas)` after each frame | `Canvas<Rgb565, LittleEndian>` |
+//! | Slint 1 | `Image::from_rgb8(buffer)` of a `SharedPixelBuffer<Rgb8Pixel>`, drawn in its `make_mut_bytes()` | `Canvas<Rgb888, BigEndian>` |
+//! | TFT_eSPI | `pushImage(x, y, width, height, pixels)`, after `setSwapBytes(false)` | `Canvas<Rgb565, BigEndian>` |
+//! | LovyanGFX | the same with pixels of the type `swap565_t` | `Canvas<Rgb565, BigEndian>` |
+//!
+//! The calls are from the documentation of these libraries, and were not compiled here. With TFT_eSPI and LovyanGFX, a
+//! band can be such an image. LVGL and Slint need the whole image, because they draw it again when something above it
+//! changes.
 //!
 // The smaller font lets lines of 100 characters fit into the page.
 //! <style>.docblock pre.rust { font-size: 15px }</style>

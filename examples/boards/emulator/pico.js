@@ -8,8 +8,10 @@ import { RP2040 } from "rp2040js";
 const FLASH = 0x10000000, ROM_END = 0x1000;
 /** Where a model begins in flash, its first word, and the version of its format. */
 const MODEL = 0x40000, MAGIC = 0x6d786966, VERSION = 4;
-const SPI_FUNCTION = 1, SIO_FUNCTION = 5;
-const NOP = 0x00, SLPOUT = 0x11, INVOFF = 0x20, INVON = 0x21, DISPON = 0x29;
+const SPI_FUNCTION = 1, SIO_FUNCTION = 5, NO_FUNCTION = 31;
+/** The bit that resets the functions of the pins. */
+const IO_RESET = 5;
+const NOP = 0x00, SWRESET = 0x01, SLPOUT = 0x11, INVOFF = 0x20, INVON = 0x21, DISPON = 0x29;
 const CASET = 0x2a, RASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, COLMOD = 0x3a;
 /** More mistakes than these end a run. */
 const MISTAKES = 20;
@@ -102,7 +104,7 @@ class Panel {
     [this.gpio, this.bus] = [gpio, spi[block]];
     this.memory = new Int32Array(module.memory[0] * module.memory[1]).fill(-1);
     const changes = (name, set) => (level) => {
-      if (this.bus.busy) this.errors.push(`${name} changed while a byte was on the bus`);
+      if (this.bus.busy && this.#isWired()) this.errors.push(`${name} changed while a byte was on the bus`);
       set(level === 1);
     };
     const listen = (pin, listener) => pin !== undefined && gpio[pin].addListener(listener);
@@ -122,6 +124,10 @@ class Panel {
     this.bus.writeUint32 = (at, value) => { writeBus(at, value); if (at === 0) this.#clock(); };
     resets.writeUint32 = (at, value) => {
       writeResets(at, value);
+      if (resets.reset >> IO_RESET & 1) {
+        for (const pin of gpio) pin.ctrl = NO_FUNCTION;
+        for (const pin of gpio) pin.checkForUpdates();
+      }
       if (resets.reset >> 16 + block & 1) [this.bus.control0, this.bus.control1] = [0, 0];
       this.#clock();
     };
@@ -154,12 +160,17 @@ class Panel {
     if (count >= 7) this.#receive((bits << 1 | bit) & 0xff);
   }
 
-  /** The bus has sent a word of so many bits. */
+  /** Whether the bus is on its pins. */
+  #isWired() {
+    const { gpio, module: { pins } } = this;
+    return [pins.clock, pins.data].every((pin) => gpio[pin].functionSelect === SPI_FUNCTION);
+  }
+
+  /** The bus has sent a word of so many bits, which arrives if the bus is on its pins. */
   word(value, count) {
-    const { bus, gpio, module: { pins, limitHz } } = this;
+    const { bus, module: { limitHz } } = this;
+    if (!this.#isWired()) return;
     this.busHz = bus.clockFrequency;
-    const lines = [pins.clock, pins.data].map((pin) => gpio[pin].functionSelect);
-    if (lines.some((line) => line !== SPI_FUNCTION)) this.errors.push("the bus sends, but is not on its pins");
     if (this.busHz > limitHz) this.errors.push(`the bus has ${this.busHz} Hz, but the controller only ${limitHz}`);
     if ((bus.control0 >> 6 ^ bus.control0 >> 7) & 1) this.errors.push("the bus is in mode 1 or 2");
     if (!this.isSelected) this.errors.push(`${value.toString(16)} was sent while no panel listened`);
@@ -179,12 +190,17 @@ class Panel {
       this.errors.push("there is no CS, and the clock is low as the reset ends");
     }
     this.isReset = !isHigh;
+    this.#bits = [0, 0];
+    this.#restart();
+  }
+
+  #restart() {
     [this.isAwake, this.isOn, this.#isInverted, this.#mode, this.#bytesOfPixel] = [false, false, false, 0, 3];
-    [this.#bits, this.#command, this.#data] = [[0, 0], NOP, []];
+    [this.#command, this.#data] = [NOP, []];
   }
 
   #light(isLit) {
-    this.#execute();
+    if (isLit) this.#execute();
     if (isLit && this.memory.includes(-1)) this.errors.push("the backlight is on before the panel is cleared");
     this.isLit = isLit;
   }
@@ -193,7 +209,8 @@ class Panel {
     this.received++;
     if (this.#isData) this.#data.push(byte);
     else {
-      this.#execute();
+      if (byte === SWRESET) this.#restart();
+      else this.#execute();
       this.#command = byte;
       if (byte === RAMWR) this.#begin();
     }
@@ -499,7 +516,9 @@ export class Pico {
 
   /**
    * Adds what rp2040js lacks: the core's voltage (1.1 V, as after a reset), the ring oscillator's registers, the
-   * register that aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory.
+   * register that aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory. A write to
+   * the value of SysTick starts a whole period; rp2040js ends a period at once. A program that asks whether the period is
+   * over does nothing but wait: time passes faster.
    */
   #complete() {
     const { peripherals, dma, ppb } = this.chip;
@@ -508,8 +527,15 @@ export class Pico {
     const readDma = dma.readUint32.bind(dma);
     dma.readUint32 = (at) => (at === 0x444 ? 0 : readDma(at));
     const [read, write, mpu] = [ppb.readUint32.bind(ppb), ppb.writeUint32.bind(ppb), new Map()];
-    ppb.readUint32 = (at) => (at >= 0xd90 && at <= 0xda0 ? mpu.get(at) ?? 0 : read(at));
-    ppb.writeUint32 = (at, value) => (at >= 0xd90 && at <= 0xda0 ? mpu.set(at, value) : write(at, value));
+    ppb.readUint32 = (at) => {
+      if (at === 0x10) for (const core of this.cores) core.at += 1e4;
+      return at >= 0xd90 && at <= 0xda0 ? mpu.get(at) ?? 0 : read(at);
+    };
+    ppb.writeUint32 = (at, value) => {
+      if (at === 0x18) ppb.systickTimer.set(ppb.systickReload);
+      else if (at >= 0xd90 && at <= 0xda0) mpu.set(at, value);
+      else write(at, value);
+    };
   }
 
   /** For each frame, the program asks once for the time, by several reads. They see the same time. */

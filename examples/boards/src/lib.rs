@@ -7,6 +7,7 @@
 
 pub mod ball;
 pub mod floor;
+pub mod led;
 #[cfg(feature = "model")]
 pub mod model;
 pub mod panel;
@@ -14,6 +15,7 @@ pub mod panel;
 pub mod pico;
 #[cfg(all(feature = "picos", not(feature = "rtic")))]
 pub mod queue;
+pub mod report;
 pub mod slow_bus;
 
 #[cfg(feature = "ball")]

@@ -2,22 +2,20 @@
 
 use core::fmt::Write;
 
-use embedded_graphics::geometry::Point;
-use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X13};
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics::text::Text;
+use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::Storage;
 use fixel::mode::Fast;
 use fixel::prelude::*;
 use flash_model::{HOLE, Model, Module, Problem, turn, view};
-use heapless::String;
+
+use crate::report::Report;
 
 const SKY: Rgb565 = Rgb565::new(3, 8, 8);
 
 /// Everything that stays the same from frame to frame.
 pub struct Scene<'a> {
     size: (u32, u32),
-    model: Result<Model<'a>, String<128>>,
+    model: Result<Model<'a>, Report>,
     view: Mvp,
     /// For fronts and then for backs: the side to leave out, and the sun. A back has the normal of its front, so its sun
     /// shines from the other side. Two draw calls cost less than `two_sided`, which computes the light of a vertex for
@@ -36,7 +34,7 @@ impl<'a> Scene<'a> {
         let sun = |direction| Light::new(direction, fx!(0.35), fx!(0.65));
         Ok(Self {
             size,
-            model: Model::read(words).map_err(message),
+            model: Model::read(words).map_err(|problem| message(&problem, size)),
             view: view(size)?,
             sides: [
                 (Cull::Back, sun(vec3!(2, 3, 4))?),
@@ -49,6 +47,12 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub const fn size(&self) -> (u32, u32) {
         self.size
+    }
+
+    /// Whether there is a model. Otherwise, the picture is a message.
+    #[must_use]
+    pub const fn has_model(&self) -> bool {
+        self.model.is_ok()
     }
 
     /// Draws the part of the frame that belongs to the canvas, at the time `now_ms`.
@@ -65,9 +69,7 @@ impl<'a> Scene<'a> {
         let model = match &self.model {
             Ok(model) => model,
             Err(message) => {
-                canvas.clear(Rgb565::BLACK);
-                let style = MonoTextStyle::new(&FONT_6X13, Rgb565::WHITE);
-                canvas.overlay(&Text::new(message, Point::new(8, 100), style));
+                message.draw(&mut canvas);
                 return Ok(());
             }
         };
@@ -102,9 +104,9 @@ impl<'a> Scene<'a> {
     }
 }
 
-fn message(problem: Problem) -> String<128> {
-    let mut message = String::new();
-    // What does not fit is left out: nothing does.
-    let _ = write!(message, "{problem}");
+fn message(problem: &Problem, size: (u32, u32)) -> Report {
+    let mut message = Report::new(size);
+    // A report returns no errors.
+    write!(message, "{problem}").ok();
     message
 }

@@ -12,10 +12,16 @@
 //!
 //! `pico_model` reads its pins from flash.
 
+use core::panic::PanicInfo;
+
+use cortex_m::delay::Delay;
 use cortex_m::singleton;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::{MODE_0, MODE_3};
-use flash_model::{Module, NO_PIN};
+use fixel::canvas::{Canvas, Words};
+use flash_model::Module;
 use hal::clocks::{Clock, init_clocks_and_plls};
 use hal::dma::single_buffer::{Config, Transfer};
 use hal::dma::{CH0, Channel, DMAExt, SingleChannel};
@@ -33,7 +39,9 @@ pub use rp235x_hal as hal;
 #[cfg(feature = "pico")]
 pub use rp2040_hal as hal;
 
-use crate::panel::{Panel, Pins};
+use crate::led;
+use crate::panel::{Panel, Pins, Word, widen};
+use crate::report::Report;
 use crate::slow_bus::SlowBus;
 
 /// The second-stage boot loader, which an RP2040 runs first to set up its flash.
@@ -111,13 +119,25 @@ const fn words_of(module: &Module, pixels: u32) -> usize {
 /// The pixels of a band, each a word of the bus.
 pub type Band = &'static mut [u16];
 
+/// The LED on the board. A Pico W and a Pico 2 W have theirs on the wireless chip. There, this pin selects the wireless
+/// chip, which is off, because GP23 does not switch it on: so the pin has no effect.
+const LED: u32 = 25;
+
 /// The frequency of the board's crystal.
 const CRYSTAL_HZ: u32 = 12_000_000;
+/// The frequency of the processor.
+const CLOCK_HZ: u32 = if cfg!(feature = "pico2") {
+    150_000_000
+} else {
+    125_000_000
+};
 
 /// A pin whose number is known only now.
 type Wire<F> = Pin<DynPinId, F, DynPullType>;
 /// A pin that the program sets.
-type Output = Wire<FunctionSioOutput>;
+pub type Output = Wire<FunctionSioOutput>;
+/// A display.
+type Display = Panel<Output, Output, Output>;
 type Data<D> = (
     ValidatedPinTx<Wire<FunctionSpi>, D>,
     ValidatedPinSck<Wire<FunctionSpi>, D>,
@@ -135,7 +155,7 @@ enum State<D: SpiDevice> {
 
 /// Sends bands to the display by DMA, frame after frame. When a band was sent, DMA requests its interrupt 0.
 pub struct Way<D: SpiDevice> {
-    panel: Panel<Output, Output, Output>,
+    panel: Display,
     state: Option<State<D>>,
     /// The number in its frame of the band that is started next, and the bands of a frame.
     next: u32,
@@ -213,6 +233,8 @@ pub struct Board {
     pub ppb: pac::PPB,
     /// For the second core.
     pub fifo: sio::SioFifo,
+    /// The LED on the board.
+    pub led: Output,
     /// The way to the display, which is clear and lit.
     pub sender: Sender,
     /// The memory of the bands.
@@ -222,7 +244,7 @@ pub struct Board {
 /// Sets up clocks, bus and display, clears the display, and switches its backlight on. May be called once.
 #[inline] // leaves out the code for other controllers
 pub fn set_up(mut pac: pac::Peripherals, module: &Module) -> Option<Board> {
-    // The processor and its peripherals run at 125 MHz, those of the Pico 2 at 150 MHz.
+    // The peripherals have the processor's clock.
     let mut watchdog = Watchdog::new(pac.WATCHDOG);
     let clocks = init_clocks_and_plls(
         CRYSTAL_HZ,
@@ -247,6 +269,7 @@ pub fn set_up(mut pac: pac::Peripherals, module: &Module) -> Option<Board> {
         sio.gpio_bank0,
         &mut pac.RESETS,
     );
+    let led = output(LED)?;
     let mut channel = pac.DMA.split(&mut pac.RESETS).ch0;
     channel.enable_irq0();
     let words = words_of(module, module.size().0 * rows_for(module));
@@ -272,6 +295,7 @@ pub fn set_up(mut pac: pac::Peripherals, module: &Module) -> Option<Board> {
         psm: pac.PSM,
         ppb: pac.PPB,
         fifo: sio.fifo,
+        led,
         sender,
         bands,
     })
@@ -293,6 +317,95 @@ fn output(num: u32) -> Option<Output> {
     let mut output = pin(num)?.try_into_function().ok()?;
     let Ok(()) = OutputPin::set_high(&mut output);
     Some(output)
+}
+
+/// Sets up the display by a bus of bytes, and returns both.
+#[inline] // leaves out the code for other controllers
+fn display(
+    module: &Module,
+    mut delay: &mut dyn DelayNs,
+) -> Option<(Display, SlowBus<Output, Output>)> {
+    let pins = module.pins;
+    let mut bytes = SlowBus {
+        clock: pin(pins.clock)?.try_into_function().ok()?,
+        data: pin(pins.data)?.try_into_function().ok()?,
+        rests_high: module.spi_mode == 3,
+    };
+    bytes.rest();
+    let outputs = Pins {
+        cs: output(pins.cs),
+        dc: output(pins.dc)?,
+        reset: output(pins.reset),
+    };
+    let panel = Panel::new(module, &mut bytes, outputs, &mut delay).ok()?;
+    Some((panel, bytes))
+}
+
+/// Switches the backlight on, if the module has one.
+fn light(module: &Module) {
+    let light = pin(module.pins.light).and_then(|pin| pin.try_into_function().ok());
+    if let Some(mut light) = light {
+        let light: &mut Output = &mut light;
+        let Ok(()) = light.set_state((module.light_low == 0).into());
+    }
+}
+
+/// Shows what a panic says on the module's display, and blinks the LED for ever. Begins with nothing but the pins, so it
+/// does not matter what the program was about to do.
+#[inline] // leaves out the code for other controllers
+pub fn report(info: &PanicInfo, module: &Module) -> ! {
+    // The section never ends: the other core stops where it wants to enter one, and no interrupt starts a transfer.
+    critical_section::with(|_| {
+        // SAFETY: nothing else uses the pins from now on.
+        #[allow(unsafe_code)]
+        let mut pac = unsafe { pac::Peripherals::steal() };
+        let (sio, resets) = (Sio::new(pac.SIO), &mut pac.RESETS);
+        gpio::Pins::new(pac.IO_BANK0, pac.PADS_BANK0, sio.gpio_bank0, resets);
+        // SAFETY: likewise.
+        #[allow(unsafe_code)]
+        let core = unsafe { cortex_m::Peripherals::steal() };
+        let mut delay = SysTick(Delay::new(core.SYST, CLOCK_HZ));
+        show(&Report::of(info, module.size()), module, &mut delay);
+        let (mut led, mut now_ms) = (output(LED), 0);
+        loop {
+            if let Some(led) = &mut led {
+                led::show(led, led::PANIC, now_ms);
+            }
+            delay.delay_ms(led::STEP_MS);
+            now_ms += u64::from(led::STEP_MS);
+        }
+    })
+}
+
+/// Shows a report on a display, which is set up again.
+#[inline] // shares `Report::draw` with the program
+fn show(report: &Report, module: &Module, delay: &mut SysTick) -> Option<()> {
+    let (mut panel, mut bus) = display(module, delay)?;
+    panel.clear(&mut bus, &[0_u8; 64]).ok()?;
+    panel.start_frame::<u8>(&mut bus).ok()?;
+    let (width, height) = module.size();
+    // The longest row: 480 pixels, which may become three bytes each.
+    let mut words = [0; 720];
+    for row in 0..height {
+        let words = words.get_mut(..words_of(module, width))?;
+        let pixels = words.get_mut(..width as usize)?;
+        report.draw(&mut Canvas::<Rgb565, Words>::band(pixels, width, height, row).ok()?);
+        if module.bytes_of_pixel() == 3 {
+            widen(words);
+        }
+        u8::send(&mut bus, words).ok()?;
+    }
+    light(module);
+    Some(())
+}
+
+/// Waits by the core's own timer, which needs nothing else.
+struct SysTick(Delay);
+
+impl DelayNs for SysTick {
+    fn delay_ns(&mut self, ns: u32) {
+        self.0.delay_us(ns.div_ceil(1000));
+    }
 }
 
 /// The parts of the chip that set up the display, and its module.
@@ -324,27 +437,13 @@ impl SetUp<'_> {
             if is_mode_3 { MODE_3 } else { MODE_0 },
         );
         // The driver sends bytes. Until it is done, the pins of the bus belong to a bus of bytes.
-        let mut bytes = SlowBus {
-            clock: pin(pins.clock)?.try_into_function().ok()?,
-            data: pin(pins.data)?.try_into_function().ok()?,
-            rests_high: is_mode_3,
-        };
-        bytes.rest();
-        let outputs = Pins {
-            cs: output(pins.cs),
-            dc: output(pins.dc)?,
-            reset: output(pins.reset),
-        };
-        let mut panel = Panel::new(module, &mut bytes, outputs, self.timer).ok()?;
+        let (mut panel, bytes) = display(module, self.timer)?;
         // Both buses rest at the same level, so there is no edge.
         bytes.clock.try_into_function::<FunctionSpi>().ok()?;
         bytes.data.try_into_function::<FunctionSpi>().ok()?;
 
         panel.clear(&mut bus, self.black).ok()?;
-        if pins.light != NO_PIN {
-            let mut light: Output = pin(pins.light)?.try_into_function().ok()?;
-            let Ok(()) = light.set_state((module.light_low == 0).into());
-        }
+        light(module);
         Some(Way {
             panel,
             state: Some(State::Idle(self.channel, bus)),

@@ -15,8 +15,9 @@ use hal::pac::{self, interrupt};
 use hal::sio;
 use heapless::{Deque, Vec};
 
+use crate::led;
 use crate::pico::{
-    self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, MODULE, ROWS, Sender, Timer, WIDTH, hal,
+    self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, MODULE, Output, ROWS, Sender, Timer, WIDTH, hal,
 };
 use crate::scene::{Memory, Scene};
 
@@ -31,6 +32,9 @@ struct Queue {
     /// The frames that were begun, and the time of the last.
     begun: u32,
     now_ms: u64,
+    /// The LED on the board, and its pattern.
+    led: Output,
+    pattern: u16,
 }
 
 static QUEUE: Mutex<RefCell<Option<Queue>>> = Mutex::new(RefCell::new(None));
@@ -115,9 +119,18 @@ pub fn begin(frame: u32, timer: Timer) -> u64 {
         if queue.begun == frame {
             queue.now_ms = timer.get_counter().ticks() / 1000;
             queue.begun = frame.wrapping_add(1);
+            led::show(&mut queue.led, queue.pattern, queue.now_ms);
         }
         (queue.begun == frame.wrapping_add(1)).then_some(queue.now_ms)
     })
+}
+
+/// Gives the LED another pattern.
+pub fn set_pattern(pattern: u16) {
+    wait_for(|queue| {
+        queue.pattern = pattern;
+        Some(())
+    });
 }
 
 /// A band to draw into, as soon as there is one.
@@ -194,6 +207,8 @@ pub fn start_with(module: &Module) -> Option<Rest> {
         bands_of_frame: module.size().1 / pico::rows_for(module),
         begun: 0,
         now_ms: 0,
+        led: board.led,
+        pattern: led::RUNS,
     };
     critical_section::with(|cs| QUEUE.borrow_ref_mut(cs).replace(queue));
     // SAFETY: the program does not rely on this interrupt's not being enabled.

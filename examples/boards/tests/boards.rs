@@ -10,12 +10,14 @@ mod display;
 
 use std::cell::RefCell;
 use std::convert::Infallible;
+use std::fmt::Write;
 
 use boards::panel::{Panel, Pins, Word};
+use boards::report::Report;
 use boards::slow_bus::SlowBus;
 use boards::{ball, floor};
-use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{BigEndian, ToBytes};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::digital::{OutputPin, PinState};
 use embedded_hal::spi::SpiBus;
 use fixel::canvas::Words;
@@ -361,6 +363,44 @@ fn the_guide_quotes_the_programs() {
     }
 }
 
+/// The text of a report on a frame: the pixels that are not black.
+fn ink(size: (u32, u32), text: &str) -> Vec<(u32, u32)> {
+    let mut report = Report::new(size);
+    report.write_str(text).unwrap();
+    let mut pixels = vec![Rgb565::BLACK; (size.0 * size.1) as usize];
+    report.draw(&mut Canvas::new(&mut pixels, size.0, size.1).unwrap());
+    let places = (0..size.1).flat_map(|y| (0..size.0).map(move |x| (x, y)));
+    let inked = places
+        .zip(pixels)
+        .filter(|(_, pixel)| *pixel != Rgb565::BLACK);
+    inked.map(|(place, _)| place).collect()
+}
+
+#[test]
+fn a_report_fits_on_every_display() {
+    for (name, _, module) in Module::ALL {
+        let (width, height) = module.size();
+        let long = ink((width, height), &"H".repeat(1000));
+        assert!(long.iter().any(|&(_, y)| y > height / 2), "{name}");
+        // Both margins stay empty.
+        let (left, right) = (width / 20, width - width / 20);
+        assert!(
+            long.iter().all(|(x, _)| (left..right).contains(x)),
+            "{name}"
+        );
+        // A full line breaks at the right margin.
+        let columns = ((right - left) / 6) as usize;
+        let [one, two] = ["", "\n"].map(|end| {
+            let first = "H".repeat(columns);
+            ink((width, height), &format!("{first}{end}HHH"))
+        });
+        assert_eq!(one, two, "{name}");
+        let rows = |ink: &[(u32, u32)]| ink.iter().map(|&(_, y)| y).max();
+        let full = ink((width, height), &"H".repeat(columns));
+        assert!(rows(&full) < rows(&one), "{name}");
+    }
+}
+
 /// The linker keeps `pico_model` out of the flash that belongs to the model.
 #[test]
 fn a_model_begins_where_its_program_must_end() {
@@ -373,7 +413,6 @@ fn a_model_begins_where_its_program_must_end() {
 mod model {
     use super::*;
     use boards::model::Scene;
-    use embedded_graphics::pixelcolor::RgbColor;
     use embedded_graphics::pixelcolor::raw::RawU16;
     use fixel_assets::Disk;
     use flash_model::{Board, Model, rate, write};
@@ -567,6 +606,7 @@ mod model {
         let mut words = cabin();
         words[100] ^= 1;
         let frame = bands(&words, 120, 0);
+        assert!(!Scene::new(&words).unwrap().has_model());
         assert_eq!(frame.len(), 320 * 240);
         let count = |color| frame.iter().filter(|&&pixel| pixel == color).count();
         let (text, background) = (count(Rgb565::WHITE), count(Rgb565::BLACK));

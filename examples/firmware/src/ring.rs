@@ -1,11 +1,16 @@
 //! The ring of the guide for firmware, in its frame of 240x240 pixels. Measures a frame in bands of each height,
-//! prepared or not, with three shaders. The cost is the mean of eight poses, and includes only the draw calls.
+//! prepared or not, with three shaders. The cost is the mean of eight poses, and includes only the draw calls. Then
+//! measures the needle of the guide for displays: the whole frame, and the mean of 60 steps.
 //!
 //! `cargo run --profile speed -p firmware --bin ring --target thumbv6m-none-eabi` runs the program under QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
 mod board;
+#[cfg(target_os = "none")]
+#[allow(dead_code)] // the program has a loop of its own
+#[path = "../../cookbook/src/displays/needle.rs"]
+mod needle;
 #[cfg(target_os = "none")]
 #[allow(dead_code)] // what programs that draw these scenes need
 #[path = "../../common/scenes.rs"]
@@ -18,13 +23,19 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod firmware {
+    use core::convert::Infallible;
+
+    use embedded_graphics::draw_target::DrawTarget;
+    use embedded_graphics::geometry::{OriginDimensions, Size};
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor, raw::BigEndian};
+    use embedded_graphics::primitives::Rectangle;
     use fixel::mode::{Fast, Mode};
     use fixel::prelude::*;
     use semihosting::println;
     use static_cell::ConstStaticCell;
 
     use super::board::{self, Clock};
+    use super::needle;
     use super::scenes::CHECKER;
 
     const WIDTH: u32 = 240;
@@ -113,6 +124,46 @@ mod firmware {
         }
     }
 
+    /// A display that takes no time.
+    struct Nowhere;
+
+    impl OriginDimensions for Nowhere {
+        fn size(&self) -> Size {
+            needle::FRAME.size
+        }
+    }
+
+    impl DrawTarget for Nowhere {
+        type Color = Rgb565;
+        type Error = Infallible;
+
+        fn draw_iter<I>(&mut self, _: I) -> Result<(), Infallible> {
+            Ok(())
+        }
+
+        fn fill_contiguous<I>(&mut self, _: &Rectangle, _: I) -> Result<(), Infallible> {
+            Ok(())
+        }
+    }
+
+    fn needle(clock: &mut Clock, tick: u64) -> Result<(), Error> {
+        let mut all = 0;
+        for step in 0..60 {
+            let [from, to] = [step, step + 1].map(|step| Angle::from_degrees(6 * step));
+            let (shown, ticks) = clock.time(|| {
+                let changed = needle::changed(from, to)?;
+                needle::show(&mut Nowhere, changed, to)
+            });
+            shown?;
+            all += ticks;
+        }
+        let (shown, ticks) = clock.time(|| needle::show(&mut Nowhere, needle::FRAME, deg!(0)));
+        shown?;
+        println!("needle=whole instructions={}", ticks * tick);
+        println!("needle=step instructions={}", all * tick / 60);
+        Ok(())
+    }
+
     fn run() -> Result<(), Error> {
         let mut clock = Clock::take().expect("taken once");
         let tick = board::instructions_per_tick(&mut clock);
@@ -130,7 +181,8 @@ mod firmware {
         let orange = Flat::new(Rgb565::new(31, 40, 8)).lit_faces(sun);
         bench.measure("faces", &DrawOptions::new(), &orange)?;
         bench.measure("fast", &fast, &skin)?;
-        bench.measure("newton", &DrawOptions::new(), &skin)
+        bench.measure("newton", &DrawOptions::new(), &skin)?;
+        needle(&mut bench.clock, tick)
     }
 
     #[board::entry]

@@ -2,15 +2,22 @@
 #![no_std]
 #![no_main]
 
-use boards::pico::hal;
+use core::panic::PanicInfo;
+
+use boards::pico::{MODULE, hal, report};
 use boards::queue::{Share, animate, start};
 use boards::scene::Memory;
 use cortex_m::singleton;
-use panic_halt as _;
 
 #[hal::entry]
 fn main() -> ! {
     let board = start().unwrap();
     let memory = singleton!(: Memory = Memory::new()).unwrap();
     animate(Share::WHOLE, board.timer, memory)
+}
+
+/// Shows the panic on the display and by the LED.
+#[panic_handler]
+fn panic(info: &PanicInfo) -> ! {
+    report(info, &MODULE)
 }

@@ -2,12 +2,13 @@
 #![no_std]
 #![no_main]
 
-use boards::pico::hal;
+use core::panic::PanicInfo;
+
+use boards::pico::{MODULE, hal, report};
 use boards::queue::{Share, animate, start};
 use boards::scene::Memory;
 use cortex_m::singleton;
 use hal::multicore::{Multicore, Stack};
-use panic_halt as _;
 
 /// The stack of core 1, in words of four bytes: half as much again as was measured.
 static STACK: Stack<2048> = Stack::new();
@@ -35,4 +36,10 @@ fn main() -> ! {
         .spawn(stack, move || animate(share(1), timer, there))
         .unwrap();
     animate(share(0), timer, here)
+}
+
+/// Shows the panic on the display and by the LED.
+#[panic_handler]
+fn panic(info: &PanicInfo) -> ! {
+    report(info, &MODULE)
 }

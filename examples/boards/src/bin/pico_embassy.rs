@@ -5,21 +5,22 @@
 #![no_main]
 
 use core::mem::swap;
+use core::panic::PanicInfo;
 
+use boards::led;
 use boards::panel::{Module, Panel, Pins};
 use boards::scene::{Memory, Scene};
 use cortex_m::singleton;
 use embassy_executor::Spawner;
 use embassy_futures::join::join;
 use embassy_rp::gpio::{Level, Output};
-use embassy_rp::peripherals::DMA_CH0;
+use embassy_rp::peripherals::{DMA_CH0, PIN_25};
 use embassy_rp::spi::{self, Spi};
 use embassy_rp::{bind_interrupts, dma};
 use embassy_time::{Delay, Instant};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::BigEndian;
 use fixel::canvas::Canvas;
-use panic_halt as _;
 
 const WIDTH: u32 = 240;
 const HEIGHT: u32 = 240;
@@ -53,11 +54,13 @@ async fn main(_spawner: Spawner) {
     let mut ready = singleton!(: [[u8; 2]; BAND] = [[0; 2]; BAND]).unwrap();
     panel.clear(&mut spi, ready.as_flattened()).unwrap();
     let _light = Output::new(chip.PIN_21, Level::High);
+    let mut led = Output::new(chip.PIN_25, Level::High);
 
     // The first band that is sent is black, and so is the display.
     let (scene, mut memory) = (Scene::new(WIDTH, HEIGHT).unwrap(), Memory::new());
     loop {
         let now_ms = Instant::now().as_millis();
+        led::show(&mut led, led::RUNS, now_ms);
         let moment = scene.at(now_ms, &mut memory).unwrap();
         for first_row in (0..HEIGHT).step_by(ROWS as usize) {
             // `join` starts the transfer, then draws; it returns when both are done.
@@ -73,5 +76,16 @@ async fn main(_spawner: Spawner) {
             }
             swap(&mut colors, &mut ready);
         }
+    }
+}
+
+/// Blinks the LED for ever.
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    // SAFETY: nothing else switches the LED from now on.
+    #[allow(unsafe_code)]
+    let mut led = Output::new(unsafe { PIN_25::steal() }, Level::High);
+    loop {
+        led::show(&mut led, led::PANIC, Instant::now().as_millis());
     }
 }

@@ -3,15 +3,17 @@
 #![no_std]
 #![no_main]
 
+use core::panic::PanicInfo;
+
+use boards::led;
 use boards::model::Scene;
 use boards::panel::widen;
-use boards::pico::{PIXELS, hal, rows_for};
-use boards::queue::{begin, free, send, start_with};
+use boards::pico::{PIXELS, hal, report, rows_for};
+use boards::queue::{begin, free, send, set_pattern, start_with};
 use cortex_m::singleton;
 use embedded_graphics::pixelcolor::Rgb565;
 use fixel::canvas::{Canvas, Words};
 use flash_model::{ADDRESS, Board, Module};
-use panic_halt as _;
 
 /// The flash behind the program.
 fn flash() -> &'static [u32] {
@@ -35,6 +37,9 @@ fn main() -> ! {
     let ((width, height), rows) = (module.size(), rows_for(&module));
     let pixels = (width * rows) as usize;
     let board = start_with(&module).unwrap();
+    if !scene.has_model() {
+        set_pattern(led::NO_MODEL);
+    }
     let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
     let mut frame = 0_u32;
     loop {
@@ -51,4 +56,10 @@ fn main() -> ! {
         }
         frame = frame.wrapping_add(1);
     }
+}
+
+/// Shows the panic on the display and by the LED.
+#[panic_handler]
+fn panic(info: &PanicInfo) -> ! {
+    report(info, &Module::wanted(flash()))
 }

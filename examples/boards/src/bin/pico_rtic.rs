@@ -2,11 +2,14 @@
 #![no_std]
 #![no_main]
 
-use panic_halt as _;
+use core::panic::PanicInfo;
+
+use boards::pico::{MODULE, report};
 
 #[rtic::app(device = rp2040_hal::pac)]
 mod app {
-    use boards::pico::{Band, HEIGHT, MODULE, ROWS, Sender, Timer, WIDTH, set_up};
+    use boards::led;
+    use boards::pico::{Band, HEIGHT, MODULE, Output, ROWS, Sender, Timer, WIDTH, set_up};
     use boards::scene::{Memory, Scene};
     use embedded_graphics::pixelcolor::Rgb565;
     use fixel::canvas::{Canvas, Words};
@@ -20,6 +23,7 @@ mod app {
     #[local]
     struct Local {
         timer: Timer,
+        led: Output,
         free: Consumer<'static, Band>,
         finished: Producer<'static, Band>,
         to_send: Consumer<'static, Band>,
@@ -38,6 +42,7 @@ mod app {
         }
         let local = Local {
             timer: board.timer,
+            led: board.led,
             free,
             finished,
             to_send,
@@ -48,12 +53,13 @@ mod app {
     }
 
     /// Draws, whenever no interrupt is handled.
-    #[idle(local = [timer, free, finished])]
+    #[idle(local = [timer, led, free, finished])]
     fn idle(context: idle::Context) -> ! {
         let local = context.local;
         let (scene, mut memory) = (Scene::new(WIDTH, HEIGHT).unwrap(), Memory::new());
         loop {
             let now_ms = local.timer.get_counter().ticks() / 1000;
+            led::show(local.led, led::RUNS, now_ms);
             let moment = scene.at(now_ms, &mut memory).unwrap();
             for first_row in (0..HEIGHT).step_by(ROWS as usize) {
                 while !local.free.ready() {}
@@ -75,4 +81,10 @@ mod app {
         }
         local.sender.start(|| local.to_send.dequeue());
     }
+}
+
+/// Shows the panic on the display and by the LED.
+#[panic_handler]
+fn panic(info: &PanicInfo) -> ! {
+    report(info, &MODULE)
 }

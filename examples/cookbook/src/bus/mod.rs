@@ -30,6 +30,7 @@ pub struct Wires(Rc<RefCell<Record>>);
 #[derive(Default)]
 struct Record {
     is_data: bool,
+    transactions: usize,
     now: u64,
     runs: Vec<Run>,
 }
@@ -76,6 +77,11 @@ impl Wires {
         mem::take(&mut self.0.borrow_mut().runs)
     }
 
+    /// Returns the number of transactions so far: how often a driver has taken the bus.
+    pub fn transactions(&self) -> usize {
+        self.0.borrow().transactions
+    }
+
     /// Returns the number of bytes that the bus could have sent so far.
     pub fn now(&self) -> u64 {
         self.0.borrow().now
@@ -93,7 +99,13 @@ impl spi::ErrorType for Wires {
 
 impl SpiDevice for Wires {
     fn transaction(&mut self, operations: &mut [Operation<'_, u8>]) -> Result<(), Infallible> {
-        let Record { is_data, now, runs } = &mut *self.0.borrow_mut();
+        let Record {
+            is_data,
+            transactions,
+            now,
+            runs,
+        } = &mut *self.0.borrow_mut();
+        *transactions += 1;
         for operation in operations {
             let Operation::Write(bytes) = operation else {
                 panic!("the panel has no line to read from");

@@ -9,6 +9,7 @@ pub mod epaper;
 pub mod frames;
 pub mod ili9341;
 pub mod ili9488;
+pub mod needle;
 pub mod oled;
 pub mod round;
 pub mod tearing;
@@ -46,6 +47,7 @@ pub const DISPLAYS: &[(&str, Show)] = &[
     ("frames", frames_picture),
     ("ili9341", ili9341_picture),
     ("ili9488", ili9488_picture),
+    ("needle", needle_picture),
     ("oled", oled_picture),
     ("round", round_picture),
     ("tearing", tearing_picture),
@@ -157,6 +159,28 @@ fn window_picture() -> Result<Picture, Error> {
     // The part of the frame that was sent again.
     let mut sent = window::WINDOW;
     sent.top_left += corner(1, window::FRAME.width);
+    let line = PrimitiveStyle::with_stroke(Rgb888::YELLOW, 1);
+    let Ok(()) = sent.offset(1).draw_styled(&line, &mut picture);
+    Ok(picture)
+}
+
+/// Runs [`needle`].
+pub fn run_needle(turns: &[Angle]) -> Result<Ran, Error> {
+    let (wires, mut buffer) = (Wires::default(), [0; 512]);
+    let mut display = driver(ST7789, (240, 240), &wires, &mut buffer);
+    needle::run(&mut display, turns, || ())?;
+    Ok(Ran::new(mipi::Panel::new(240, 320), &wires))
+}
+
+fn needle_picture() -> Result<Picture, Error> {
+    let (turns, size) = ([deg!(40), deg!(15)], needle::FRAME.size);
+    let mut picture = table(2, size);
+    for panel in [0, 1] {
+        let ran = run_needle(&turns[..=panel as usize])?;
+        lay(&mut picture, panel, size, 1, ran.colors());
+    }
+    let mut sent = needle::changed(turns[0], turns[1])?;
+    sent.top_left += corner(1, size.width);
     let line = PrimitiveStyle::with_stroke(Rgb888::YELLOW, 1);
     let Ok(()) = sent.offset(1).draw_styled(&line, &mut picture);
     Ok(picture)

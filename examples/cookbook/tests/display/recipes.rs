@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::Path;
 
-use cookbook::bus::Wires;
 use cookbook::bus::mipi::Command;
 use cookbook::bus::tearing::{Ignored, Scan, scanned};
+use cookbook::bus::{NoDelay, Wires};
 use cookbook::displays::{
-    self, epaper, frames, ili9341, ili9488, is_round, oled, round, tearing, window,
+    self, epaper, frames, ili9341, ili9488, is_round, needle, oled, round, tearing, window,
 };
 use cookbook::{DISPLAYS, display};
+use embassy_futures::block_on;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::raw::{BigEndian, RawData, RawU16};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
@@ -17,6 +18,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use epd_waveshare::epd2in13_v2::Display2in13;
 use fixel::canvas::Words;
 use fixel::prelude::*;
+use mipidsi::models::ST7789;
 
 use super::assert_same;
 
@@ -34,7 +36,7 @@ fn programs_are_short() {
     for (name, _) in DISPLAYS {
         let text = fs::read_to_string(folder.join(name).with_extension("rs")).unwrap();
         let lines = text.lines().count();
-        assert!(lines <= 60, "{name} has {lines} lines");
+        assert!(lines <= 72, "{name} has {lines} lines");
     }
 }
 
@@ -58,6 +60,77 @@ fn a_window_is_that_part_of_the_frame() {
         ran.sent() - first.sent(),
         2 * (size.width * size.height) as usize
     );
+}
+
+/// The page has this number.
+fn states(what: &str) -> bool {
+    // A sentence may be on several lines.
+    let page = include_str!("../../../../src/guide/displays.rs").replace("\n//!", "");
+    page.contains(what)
+}
+
+/// The needle leaves no trace. Only its rectangles are sent, and nothing while it rests.
+#[test]
+fn a_needle_is_sent_where_it_was_and_is() {
+    let turns: Vec<_> = (0..=60).map(|step| Angle::from_degrees(6 * step)).collect();
+    let whole = 2 * 240 * 240;
+    let mut bytes = 0;
+    for pair in turns.windows(2) {
+        let [ran, rested] = [pair.to_vec(), vec![pair[0], pair[1], pair[1]]]
+            .map(|turns| displays::run_needle(&turns).unwrap());
+        let last = displays::run_needle(&pair[1..]).unwrap();
+        assert_same(
+            &ran.panel.picture((240, 240)),
+            &last.panel.picture((240, 240)),
+            240,
+        );
+        assert_eq!(rested.sent(), ran.sent());
+        let size = needle::changed(pair[0], pair[1]).unwrap().size;
+        assert_eq!(ran.sent() - whole, 2 * (size.width * size.height) as usize);
+        bytes += ran.sent() - whole;
+    }
+    let mean = bytes / 60;
+    assert!(
+        states(&format!(
+            "{},{:03} of the frame's 115,200 bytes",
+            mean / 1000,
+            mean % 1000
+        )),
+        "{mean}"
+    );
+}
+
+/// How often the drivers take the bus for a frame of 240x240 pixels in six bands.
+#[test]
+fn transactions_of_a_frame() {
+    let mut pixels = vec![[0; 2]; 240 * 40];
+    let mut bands = |show: &mut dyn FnMut(u16, Canvas<'_, Rgb565, BigEndian>)| {
+        for first_row in (0..240).step_by(40) {
+            let band = Canvas::band(&mut pixels, 240, 240, first_row.into()).unwrap();
+            show(first_row, band);
+        }
+    };
+    let mut rows = vec![];
+    for length in [64, 512, 4096] {
+        let (wires, mut buffer) = (Wires::default(), vec![0; length]);
+        let mut display = displays::driver(ST7789, (240, 240), &wires, &mut buffer);
+        let before = wires.transactions();
+        bands(&mut |_, band| band.show(&mut display).unwrap());
+        let count = wires.transactions() - before;
+        rows.push(format!("| mipidsi, {length} bytes | {count} |"));
+    }
+    let wires = Wires::default();
+    let interface = lcd_async::interface::SpiInterface::new(wires.clone(), wires.clone());
+    let panel = lcd_async::Builder::new(lcd_async::models::ST7789, interface);
+    let mut panel = block_on(panel.display_size(240, 240).init(&mut NoDelay)).unwrap();
+    let before = wires.transactions();
+    bands(&mut |first_row, band| {
+        block_on(panel.show_raw_data(0, first_row, 240, 40, band.as_bytes())).unwrap();
+    });
+    let count = wires.transactions() - before;
+    rows.push(format!("| lcd-async | {count} |"));
+    rows.retain(|row| !states(row));
+    assert!(rows.is_empty(), "{rows:#?}");
 }
 
 /// Inside the circle, the round panel shows the same pixels as a whole frame. At least 15 % of the bytes are not sent.
