@@ -244,11 +244,11 @@ impl<Z> Biased<Z> {
     /// neighboring pixels. (This is the greater of two differences: to the next pixel in the row, and to the next in
     /// the column.) Positive values move a surface nearer. Depths saturate at both ends of their range.
     ///
-    /// For an edge of an [outline](crate::Mesh::outline), the difference is the greatest of several: along the line,
-    /// and on each of the edge's two faces that is not culled. On the screen, a face may be much narrower than a pixel.
-    /// So the difference on a face is limited to the difference between its nearest and its farthest corner. If the
-    /// edge is not a crease, the limit is twice as high, because on a round body, pixels of the edge may lie over the
-    /// next face, which is farther away.
+    /// For an edge of an [outline](crate::Mesh::outline), up to three depth differences are computed: one
+    /// along the line, and one on each of the edge's two faces, unless the face is culled. The greatest of them counts.
+    /// On the screen, a face may be much narrower than a pixel. So the difference on a face is limited to the difference
+    /// between its nearest and its farthest corner. If the edge is not a crease, the limit is twice as high, because on a
+    /// round body, pixels of the edge may lie over the next face, which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self { test, steps, slope }

@@ -172,8 +172,8 @@ impl<'a> Mesh<'a> {
 
     /// The mesh without its edges. A `static` that holds the result uses no flash for edges.
     ///
-    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists, and every list that a
-    /// `static` keeps takes flash. So drop the lists that no draw call reads:
+    /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) make all lists of a mesh, and every list
+    /// that a `static` keeps takes flash. So drop the lists that no draw call reads:
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -204,8 +204,9 @@ impl Mode for Affine {
 ///   is 1/4096 texel, or 1/32 texel in a small triangle, whose width and height add up to at most 43 pixels. Nearly all
 ///   triangles of a model are that small. [`Newton::NARROW`] allows only 1/4096 texel in small triangles, too.
 ///
-/// Each span begins with the exact reciprocal. Spans begin at the edge of a triangle, and every 64 pixels after the
-/// edge. So bands have the same pixels as whole frames.
+/// Each span begins with the exact reciprocal. In a row, spans begin at the edge of a triangle, and every 64 pixels
+/// after the edge. These places do not depend on bands, so a frame drawn in bands has the same pixels as a frame drawn at
+/// once.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]. On such a core, `Newton` takes more
 /// than five times the instructions of `Fast` for a pixel with a Newton step, and about twice as many for a frame of

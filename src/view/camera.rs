@@ -202,8 +202,7 @@ impl Camera {
         Self::trimetric(target, distance, Angle::QUARTER, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera that looks down −y, from above `target`, with −z upwards in the
-    /// picture.
+    /// Makes a [trimetric](Self::trimetric) camera above `target` that looks along −y, with −z upwards in the picture.
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)

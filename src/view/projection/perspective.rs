@@ -148,8 +148,8 @@ impl Projection<Perspective> {
         Some([at(direction.x)?, at(direction.y)?].map(Scalar::from_bits))
     }
 
-    /// Returns the image on the near plane of the point (x, y, z) of eye space: (−n·x/z, −n·y/z), where n is the
-    /// distance of the near plane; rounded to nearest (half away from zero).
+    /// Projects the point (x, y, z) of eye space onto the near plane: the result is (−n·x/z, −n·y/z), where n is the
+    /// distance of the near plane. Components are rounded to nearest (half away from zero).
     ///
     /// `None` if the point is not ahead of the eye, or if the image is beyond ±32768.
     #[must_use]
