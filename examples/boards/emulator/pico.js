@@ -200,9 +200,18 @@ class Panel {
   }
 
   #light(isLit) {
-    if (isLit) this.#execute();
-    if (isLit && this.memory.includes(-1)) this.errors.push("the backlight is on before the panel is cleared");
+    if (isLit) {
+      this.#execute();
+      if (this.#isNoisy()) this.errors.push("the backlight is on before the panel is cleared");
+    }
     this.isLit = isLit;
+  }
+
+  /** Whether the glass shows memory that was never written. */
+  #isNoisy() {
+    const { memory, module: { size: [width, height], memory: [stride], offset: [left, top] } } = this;
+    const row = (y) => memory.subarray((top + y) * stride + left).subarray(0, width);
+    return [...Array(height).keys()].some((y) => row(y).includes(-1));
   }
 
   #receive(byte) {
