@@ -30,6 +30,7 @@ fn main() -> io::Result<()> {
     for (path, name) in [
         ("playground.wasm", "playground.wasm"),
         ("world.wasm", "world.wasm"),
+        ("display.wasm", "display.wasm"),
         ("../size/reader.wasm", "reader.wasm"),
         ("../size/animation.wasm", "animation.wasm"),
         ("../../thumbv6m-none-eabi/release/pico_model", "pico_model"),

@@ -1,6 +1,7 @@
 // Runs a program on the emulated Pico in a worker of a page. Takes the bytes of a UF2. Posts each frame once it is
 // complete: its columns; its pixels as red, green, blue and alpha; the milliseconds after which the program began it;
-// the seconds until the next one; and the bytes on the bus until then. An error ends the run: its first line is posted.
+// the seconds until the next one; the bytes on the bus until then; and how many cores run. An error ends the run: its
+// first line is posted.
 import { Pico } from "./pico.js";
 
 onmessage = ({ data }) => {
@@ -23,7 +24,7 @@ function run(pico) {
   for (;;) pico.step();
 }
 
-function show({ asked, panel }, { at, received, pixels }, next) {
+function show({ asked, panel, cores }, { at, received, pixels }, next) {
   const [width, height] = panel.size();
   const rgba = new Uint8ClampedArray(4 * width * height).fill(255);
   for (let pixel = 0; pixel < width * height; pixel++) {
@@ -35,5 +36,6 @@ function show({ asked, panel }, { at, received, pixels }, next) {
     begun: Math.floor(asked.shift() / 1000),
     lasts: (next.at - at) / 1e9,
     bytes: next.received - received,
+    cores: cores.filter(({ runs }) => runs).length,
   });
 }

@@ -21,7 +21,7 @@ use boards::model::Scene;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
 use fixel_assets::{Disk, Files, Picture};
-use flash_model::{Board, Model, Module, board, rate, region, uf2, with_module, write};
+use flash_model::{Board, Module, board, cost, region, uf2, with_module, write};
 
 const USAGE: &str = "give the file of the program (such as pico.uf2), the module with the display (such as st7789) and \
                      the model, and perhaps a picture and -o FILE; or a UF2 and a module, to keep the model; or a UF2 \
@@ -120,30 +120,11 @@ fn save(to: &Path, bytes: &[u8]) -> io::Result<()> {
     written
 }
 
-/// What a model takes of the board's flash and time.
-fn cost(words: &[u32], board: Board) -> Result<String, Box<dyn Error>> {
-    let model = Model::read(words).map_err(|problem| problem.to_string())?;
-    let triangles = model.mesh().faces().len();
-    let (kilobytes, most) = (words.len().div_ceil(256), board.words() / 256);
-    let rate = rate(&model, board)?;
-    let slow = if rate < SLOW {
-        ", which is slow: save the model with fewer triangles"
-    } else {
-        ""
-    };
-    Ok(format!(
-        "{triangles} triangles; {kilobytes} of {most} KB of flash for models; an estimate of {rate:.1} frames a second{slow}"
-    ))
-}
-
 /// The bytes of a file that the user names.
 fn read(path: &str) -> Result<Vec<u8>, String> {
     Disk.read(Path::new(path))
         .map_err(|problem| format!("cannot read {path}: {problem}"))
 }
-
-/// Below this many frames a second, a turning model jerks.
-const SLOW: f64 = 5.0;
 
 /// The words that a UF2 has for the model.
 fn words(uf2: &[u8]) -> Vec<u32> {

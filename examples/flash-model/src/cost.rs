@@ -71,6 +71,29 @@ pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
     Ok(1.0 / (cycles / speed / CLOCK).max(bits * divider / clock))
 }
 
+/// Below this many frames a second, a turning model jerks.
+const SLOW: f64 = 5.0;
+
+/// Says what a model takes of a board's flash and time.
+///
+/// # Errors
+///
+/// The words are not a model.
+pub fn cost(words: &[u32], board: Board) -> Result<String, String> {
+    let model = Model::read(words).map_err(|problem| problem.to_string())?;
+    let triangles = model.mesh().faces().len();
+    let (kilobytes, most) = (words.len().div_ceil(256), board.words() / 256);
+    let rate = rate(&model, board).map_err(|error| error.to_string())?;
+    let slow = if rate < SLOW {
+        ", which is slow: save the model with fewer triangles"
+    } else {
+        ""
+    };
+    Ok(format!(
+        "{triangles} triangles; {kilobytes} of {most} KB of flash for models; an estimate of {rate:.1} frames a second{slow}"
+    ))
+}
+
 /// How often the light of a vertex is computed. Drawing keeps the light of a vertex until it meets the vertex with another
 /// normal.
 fn lit(model: &Model<'_>) -> usize {

@@ -47,7 +47,7 @@ use fixel::mesh::flash::{Small, UvGrid};
 use fixel::prelude::*;
 
 #[cfg(feature = "write")]
-pub use cost::rate;
+pub use cost::{cost, rate};
 pub use header::{ADDRESS, Board, HOLE, Header, PartRecord, TextureRecord};
 pub use module::{Controller, Module, ModuleProblem, NO_PIN, Wires};
 pub use painted::{Colors, Painted};

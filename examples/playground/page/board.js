@@ -1,5 +1,6 @@
 // A file for a board, which shows the visitor's model: saved, or run on an emulated board.
 import { $, short } from "./controls.js";
+import { display } from "./display.js";
 import { flash, save } from "./files.js";
 import { fetched } from "./module.js";
 
@@ -7,8 +8,8 @@ import { fetched } from "./module.js";
 const EMULATED = "pico_model.gz";
 /** The visitor's files, the model first. */
 let own = [];
-/** The emulated board, while it runs. */
-let worker;
+/** The emulated board while it runs, and what it has shown. */
+let run;
 
 const tell = (text) => ($("flashed").textContent = text);
 
@@ -22,61 +23,107 @@ async function fetchedFile(name) {
 const names = () =>
   $("own").selected ? own.map(({ name }) => name) : $("model").selectedOptions[0].dataset.files.split(" ");
 
-/** Makes a file of the chosen model and a program; returns its bytes, the model's name, and notes. */
+/** Makes a file of the chosen model and a board's program; also returns the model's words, its name, its cost, and notes. */
 async function make(board) {
-  tell("Making the file …");
   const program = await fetched(board);
   const files = $("own").selected ? own : await Promise.all(names().map(fetchedFile));
   const panel = 4 * Number($("panel").value) + Number($("turn").value);
-  const { uf2, name, notes } = await flash(program, files, panel);
-  return { uf2, name, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
+  const { notes, ...made } = await flash(program, files, panel);
+  return { ...made, notes: notes.map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`) };
+}
+
+let estimates = 0;
+/** Tells what the chosen model costs on the chosen board, before anything is saved. */
+async function estimate() {
+  $("flash").textContent = `Save ${names()[0]} as UF2`;
+  tell("");
+  const mine = ++estimates;
+  const { value, selectedOptions: [{ text }] } = $("chip");
+  const show = (told) => mine === estimates && ($("estimate").textContent = told);
+  show("Measuring …");
+  try {
+    const { name, cost, notes } = await make(value);
+    show([`${name} on a ${text}: ${cost}.`, ...notes].join(" "));
+  } catch ({ message }) {
+    show(message);
+  }
 }
 
 async function saveFile() {
+  tell("Making the file …");
   const { value, selectedOptions: [{ text }] } = $("chip");
-  const { uf2, name, notes } = await make(value);
+  const { uf2, name } = await make(value);
   const file = `${name.replace(/\.\w+$/, "")}.uf2`;
   save(file, new Blob([uf2]));
-  tell([`${file} holds ${name} and its program. Copy it to the drive of the ${text}.`, ...notes].join(" "));
+  tell(`${file} holds ${name} and its program. Copy it to the drive of the ${text}.`);
 }
 
 /** Runs the file on the emulated board; stops it if it runs. */
 async function emulate() {
-  if (worker) return stop("Stopped.");
-  const { uf2, name, notes } = await make(EMULATED);
+  if (run) return stop("Stopped.");
+  tell("Making the file …");
+  const { uf2, words, name } = await make(EMULATED);
+  const draw = await display(words);
   const script = await fetched("emulator.js.gz").catch(({ message }) => {
     throw new Error(`${message} This page was built without the emulator. Everything else works.`);
   });
-  worker?.terminate(); // a second press may have come meanwhile
+  if (run) return; // a second press came meanwhile
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  worker = new Worker(address);
+  const worker = new Worker(address);
   URL.revokeObjectURL(address);
+  run = { worker, draw, frames: 0, same: 0, seconds: 0 };
   $("emulate").textContent = "Stop";
-  $("screen").hidden = true;
-  $("emulated").textContent = "";
-  if ($("chip").value !== EMULATED) notes.unshift("This is the file for a Pico. The page emulates no Pico 2.");
-  tell([`${name} runs on an emulated RP2040 at 125 MHz.`, ...notes].join(" "));
+  $("emulated").textContent = "The emulated Pico draws its first frames …";
+  const other = $("chip").value === EMULATED ? "" : " This is the file for a Pico. The page emulates no Pico 2.";
+  tell(`${name} runs on an emulated RP2040 at 125 MHz.${other}`);
   worker.onerror = ({ message }) => stop(message);
-  worker.onmessage = ({ data }) => (data.error ? stop(`The board has stopped: ${data.error}`) : show(data));
+  worker.onmessage = ({ data }) => (data.error ? stop(`The board has stopped: ${data.error}`) : measure(data));
   worker.postMessage(uf2.slice()); // not all of the memory that it lies in
+  play(run);
 }
 
+function show(image) {
+  const { width, height } = image;
+  const screen = $("screen");
+  if (screen.width !== width || screen.height !== height) Object.assign(screen, { width, height });
+  screen.hidden = false;
+  screen.getContext("2d").putImageData(image, 0, 0);
+}
+
+/** Shows the display at full speed: the emulated board takes seconds for a frame. */
+async function play(mine) {
+  const start = performance.now();
+  while (mine === run) {
+    const now = await new Promise(requestAnimationFrame);
+    if (mine === run) show(mine.draw(Math.max(0, now - start)));
+  }
+}
+
+/** Counts a frame that the emulated board has sent to its display, and compares its pixels with those drawn here. */
+function measure({ width, rgba, begun, lasts, bytes, cores }) {
+  const here = run.draw(begun);
+  const isSame = here.width === width && here.data.every((value, at) => value === rgba[at]);
+  run.frames++;
+  run.same += isSame;
+  run.seconds += lasts;
+  run.last = new ImageData(rgba, width);
+  const { frames, same, seconds } = run;
+  const pixels = same === frames ? "the same pixels as the picture here" : `other pixels than the picture here in ${frames - same}`;
+  $("emulated").textContent = [
+    `${short(frames / seconds)} frames a second on ${cores === 1 ? "one core" : `${cores} cores`}, with ${bytes.toLocaleString("en")} bytes on the bus for each.`,
+    `The emulated Pico has drawn ${frames} so far, with ${pixels}; the last was begun after ${(begun / 1000).toFixed(3)} seconds of its time.`,
+    "It waits for no flash: a real Pico is slower.",
+  ].join(" ");
+}
+
+/** Stops the board; the last frame that it has drawn stays. */
 function stop(why) {
-  worker.terminate();
-  worker = undefined;
+  run.worker.terminate();
+  if (run.last) show(run.last);
+  else $("emulated").textContent = "";
+  run = undefined;
   $("emulate").textContent = "Run it here";
   tell(why);
-}
-
-/** Shows a frame that the board has sent to its display. */
-function show({ width, rgba, begun, lasts, bytes }) {
-  const image = new ImageData(rgba, width);
-  Object.assign($("screen"), { width, height: image.height, hidden: false });
-  $("screen").getContext("2d").putImageData(image, 0, 0);
-  $("emulated").textContent = [
-    `${short(1 / lasts)} frames a second, ${bytes.toLocaleString("en")} bytes on the bus for each.`,
-    `This one was begun after ${(begun / 1000).toFixed(3)} seconds of the board's time, which passes more slowly here.`,
-  ].join(" ");
 }
 
 /** Shows the chosen model's name. */
@@ -88,10 +135,10 @@ export function chooseModel(files) {
   if (!model) return;
   own = [model, ...files.filter((file) => file !== model)];
   Object.assign($("own"), { textContent: model.name, disabled: false, hidden: false, selected: true });
-  showModel();
+  estimate();
 }
 
 const report = ({ message }) => tell(message);
-$("model").onchange = showModel;
+for (const id of ["model", "panel", "chip", "turn"]) $(id).onchange = estimate;
 $("flash").onclick = () => saveFile().catch(report);
 $("emulate").onclick = () => emulate().catch(report);

@@ -1,5 +1,5 @@
 // What is chosen, and the controls that choose it.
-import { FLAT_SPHERE, MODES, WORLD } from "./module.js";
+import { FLAT_SPHERE, MODES, NEWTON, WORLD } from "./module.js";
 
 export const $ = (id) => document.getElementById(id);
 /** Three digits of a number. */
@@ -8,6 +8,15 @@ export const short = (value) => (Number.isFinite(value) ? String(+value.toPrecis
 /** The sliders with their units, and those that choose the exponent of a power of 2. */
 const UNITS = { tolerance: " texel", fov: "°", near: "", far: "", right: " pixel", down: " pixel" };
 const EXPONENTS = ["tolerance", "near", "far"];
+
+/** What a mode does, in the order of the modes. */
+const ABOUT = [
+  "Exact divides at every pixel. It is the standard to compare with.",
+  "Newton, the default, computes one reciprocal of depth for each pixel, without a division. It is correct to 1/32 texel.",
+  "Fast draws straight pieces of texture, as long as the largest error allows. It suits cores that multiply slowly.",
+  "Affine only adds. It costs the least, but textures bend and swim in large triangles that are seen from the side.",
+  "Compact divides at every pixel, too. It is as exact as Exact, and takes less flash.",
+];
 
 /** Controls of the camera and its picture. The little world has its own. */
 const OF_CAMERA = ["fov", "near", "far", "right", "down", "is_two_sided"];
@@ -20,18 +29,19 @@ export function settings() {
   const found = { ...camera };
   for (const { id, type, value, checked } of document.querySelectorAll("select, input[id]"))
     found[id] = type === "checkbox" ? checked : Number.isNaN(Number(value)) ? value : Number(value);
-  const { scene, size, mode, other, near, far } = found;
+  const { scene, size, mode, other, compares, near, far } = found;
   const [width, height] = size.split("x").map(Number);
   Object.assign(found, { width, height, first_row: 0, rows: height, far: Math.max(far, near + 1 / 3) });
-  found.modes = other < 0 ? [mode] : [mode, other];
-  if (scene === WORLD) found.format = 0; // It has colors of its own.
+  found.modes = compares ? [mode, other] : [mode];
+  // The little world has a mode and colors of its own.
+  if (scene === WORLD) Object.assign(found, { mode: NEWTON, modes: [NEWTON], compares: false, format: 0 });
   found.interpolates = scene !== WORLD && scene !== FLAT_SPHERE;
-  found.showsErrors &&= found.interpolates;
+  found.showsErrors &&= found.compares && found.interpolates;
   return found;
 }
 
 /** Controls whose values an address keeps, besides those of the camera. */
-const kept = () => [...document.querySelectorAll("fieldset select, #board select, [type=checkbox], #tolerance, #divider, #axis")];
+const kept = () => [...document.querySelectorAll("#side select, [type=checkbox], #tolerance, #divider")];
 /** The part of the camera that the visitor moves. */
 const VIEW = ["yaw", "pitch", "distance", "fov", "near", "far", "right", "down"];
 /** The value of a control as the page begins. */
@@ -86,14 +96,20 @@ export function showSettings() {
   }
   for (const id of [...OF_CAMERA, "format"]) $(id).disabled = now.scene === WORLD;
   $("cost").hidden = now.scene === WORLD;
+  $("modes").hidden = !now.compares;
   $("showsErrors").disabled = $("figure").hidden = !now.interpolates;
-  $("tolerance").disabled = !now.modes.includes(2);
+  $("tolerated").hidden = !now.modes.includes(2);
   $("legend").hidden = !now.showsErrors;
 
+  const about = now.modes.map((mode, side) => `<b>${["Left", "Right"][side]}:</b> ${ABOUT[mode]}`);
+  about.unshift("A mode decides how exactly textures follow perspective. Drag the line to compare two modes.");
+  $("about").innerHTML = now.compares ? about.join("<br>") : "";
   const name = (mode) => (mode === 2 ? `Fast, ${short(2 ** now.tolerance)} texel` : MODES[mode]);
   $("left-name").textContent = name(now.mode);
   $("right-name").textContent = name(now.other);
   $("line").style.left = `${now.divider}%`;
   $("stage").className = now.modes.length > 1 ? "" : "whole";
-  Object.assign($("canvas"), { width: now.width, height: now.height }); // clears it, too
+  // The picture stays until the next one is drawn: another size would clear it.
+  const { width, height } = $("canvas");
+  if (width !== now.width || height !== now.height) Object.assign($("canvas"), { width: now.width, height: now.height });
 }

@@ -1,6 +1,6 @@
 // Figures of the picture: counts and times, errors, and estimates for a microcontroller.
 import { $, short } from "./controls.js";
-import { FLAT_SPHERE } from "./module.js";
+import { FLAT_SPHERE, MODES } from "./module.js";
 
 /** Bits of a pixel in each format. */
 const BITS = [16, 16, 8, 4, 2, 1];
@@ -11,12 +11,13 @@ const CORES = [
 ];
 
 /** Shows numbers of the left picture: what the module measured, milliseconds, and pictures a second while it turns. */
-export function showNumbers({ submitted, drawn, clipped, pixels, checksum, ...settings }, time, rate) {
+export function showNumbers({ submitted, drawn, clipped, pixels, checksum, mode, ...settings }, time, rate) {
   const { width, height, band } = settings;
   const bits = BITS[settings.format] + (settings.scene === FLAT_SPHERE ? 0 : 16);
   const kib = (rows) => `${short((width * rows * bits) / 8 / 1024)} KiB`;
   const whole = (value) => value.toLocaleString("en", { maximumFractionDigits: 0 });
   const list = [
+    ["Mode", MODES[mode], "How textures follow perspective"],
     ["Triangles", whole(submitted)],
     ["Drawn", whole(drawn), "The others are turned away or outside the picture"],
     ["Clipped", whole(clipped), "Cut at the edge of the visible space"],

@@ -53,9 +53,10 @@ export async function read(files) {
 
 /**
  * Makes a UF2 of a board's program and the files' model, for a panel: four times the module's number, and right angles.
- * Returns its bytes, and as above.
+ * Returns its bytes, the words of the model, what the model costs on the board, and as above.
  */
 export async function flash(program, files, panel) {
   const { parts, ...rest } = await ask([new File([program], "program"), ...files], "flash", panel);
-  return { uf2: parts[0], ...rest };
+  const [uf2, words, cost] = parts;
+  return { uf2, words, cost: new TextDecoder().decode(cost), ...rest };
 }

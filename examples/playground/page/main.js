@@ -4,7 +4,7 @@ import { $, camera, keep, recall, roundAngles, settings, showCamera, showSetting
 import { compare, showNumbers } from "./figures.js";
 import { chooseModel, showModel } from "./board.js";
 import { read, save } from "./files.js";
-import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, load } from "./module.js";
+import { Crate, FLOOR, LIGHTHOUSE, MODES, OWN, WORLD, World, load } from "./module.js";
 import { showSegment } from "./segment.js";
 
 /** The slot for measuring. Slots 0 and 1 have the pictures of the modes that are seen. */
@@ -18,12 +18,15 @@ const PLAIN = { data: new Uint8Array(4).fill(215), width: 1, height: 1 };
 
 const canvas = $("canvas");
 const context = canvas.getContext("2d");
-const scenes = [...document.querySelectorAll("#scenes input")];
+/** The buttons of the scenes, by the scenes' numbers. */
+const scenes = [];
+for (const button of document.querySelectorAll("#scenes input")) scenes[button.value] = button;
 const tell = (id, text) => ($(id).textContent = text);
 const pause = (time) => new Promise((resume) => setTimeout(resume, time));
 const frame = () => new Promise(requestAnimationFrame);
-/** The module. */
+/** The crate, and the little world, once they are loaded. */
 let crate;
+let world;
 /** The visitor's model, with its materials and pictures, the latest file first. */
 let own = [];
 
@@ -185,7 +188,10 @@ async function choose(scene, kept = {}) {
   scenes[scene].checked = true;
   tell("trouble", "");
   tell("status", "Loading …");
-  if (scene === WORLD) crate.world ??= await load("world.wasm.gz");
+  if (scene === WORLD) {
+    crate.world = await loadedWorld();
+    $("compares").checked = false;
+  }
   if (!scenes[scene].checked) return; // in the meantime
   Object.assign(camera, crate.ask("home", { ...settings(), scene }), kept);
   showCamera();
@@ -258,9 +264,11 @@ canvas.onkeydown = (event) => {
 };
 
 oninput = ({ target }) => {
-  if (target.name === "scene") choose(scenes.indexOf(target));
+  if (target.name === "scene") choose(Number(target.value));
   // The divider changes no figures: a picture that turns needs no pause.
   else if (target.id === "divider" && isTurning) showSettings();
+  // Modes differ most on the floor.
+  else if (target.id === "compares" && target.checked && !settings().interpolates) choose(FLOOR);
   else if (target.type !== "file") changed();
 };
 onchange = ({ target }) => {
@@ -289,19 +297,37 @@ onhashchange = () => location.reload();
 onunhandledrejection = ({ reason }) => {
   tell("trouble", reason.message);
   tell("status", "");
-  scenes[camera.scene].checked = true;
+  if (camera.scene in scenes) scenes[camera.scene].checked = true;
 };
+
+const loadedWorld = async () => (world ??= new World(await load("world.wasm.gz", window.world)));
+
+/** Shows the little world, before the rest of the page is loaded. */
+async function showWorld(kept) {
+  scenes[WORLD].checked = true;
+  Object.assign(camera, World.HOME, kept);
+  const now = settings();
+  Object.assign(canvas, { width: now.width, height: now.height });
+  (await loadedWorld()).draw(now);
+  context.putImageData(world.image(now), 0, 0);
+  performance.mark("picture");
+}
+
 async function start() {
+  const { scene: asked, ...kept } = recall();
+  const scene = asked in scenes ? asked : WORLD;
+  if (scene === WORLD) await showWorld(kept);
   crate = new Crate(await load("playground.wasm.gz"));
   crate.read("read_texture", PLAIN.data, PLAIN);
   showSegment(crate);
   document.querySelector("main").inert = false;
-  const { scene, ...kept } = recall();
   showModel();
   // Without an address that says what to show, the picture turns. Where little motion is wanted, it never starts to
   // turn by itself.
-  if (scene === undefined) $("spins").checked = true;
+  if (asked === undefined) $("spins").checked = true;
   if (matchMedia("(prefers-reduced-motion)").matches) $("spins").checked = false;
-  await choose(scenes[scene] ? scene : FLOOR, kept);
+  await choose(scene, kept);
+  // On the visitor's own computer, a kept copy would hide any other page at the same port.
+  if (location.hostname !== "localhost") navigator.serviceWorker?.register("offline.js").catch(() => {});
 }
 start();

@@ -1,12 +1,13 @@
 // The crate as a WebAssembly module. Settings go in, and results come out, by their names in src/view.rs.
 
 export const MODES = ["Exact", "Newton", "Fast", "Affine", "Compact"];
+export const NEWTON = 1;
 /** Scenes. The little world's pictures are drawn by a module of its own. */
 export const [FLOOR, FLAT_SPHERE, LIGHTHOUSE, OWN, WORLD] = [0, 3, 4, 5, 6];
 
-/** The bytes of a module in a compressed file beside the page. It needs no header from the server. */
-export async function fetched(path) {
-  const response = await fetch(path);
+/** The bytes of a module in a compressed file beside the page, which may be asked for already. No header is needed. */
+export async function fetched(path, request = fetch(path)) {
+  const response = await request;
   if (!response.ok) throw new Error(`${path} is missing here (${response.status}).`);
   const packed = await response.blob();
   const unpacked = packed.stream().pipeThrough(new DecompressionStream("gzip"));
@@ -15,11 +16,33 @@ export async function fetched(path) {
 }
 
 /** Starts a module. */
-export const load = async (path) => (await WebAssembly.instantiate(await fetched(path))).instance.exports;
+export const load = async (...path) => (await WebAssembly.instantiate(await fetched(...path))).instance.exports;
+
+/** The little world. It needs no other module, so the page opens with it. It is drawn in the default mode. */
+export class World {
+  /** The start view: in the settings of the page, the moment of the walk is an angle. */
+  static HOME = { scene: WORLD, yaw: 72 };
+
+  constructor(exports) {
+    this.exports = exports;
+  }
+
+  /** Draws a picture, or a band of it, and returns its colors as Rgb565. */
+  draw({ width, height, first_row, rows, yaw }) {
+    const at = this.exports.draw(width, height, first_row, rows, Math.round((yaw / 360) * 2 ** 32));
+    return new Uint16Array(this.exports.memory.buffer, at, width * rows);
+  }
+
+  /** What was drawn last, as it is shown. */
+  image({ width, rows }) {
+    const at = this.exports.show(width * rows);
+    return new ImageData(new Uint8ClampedArray(this.exports.memory.buffer, at, 4 * width * rows), width);
+  }
+}
 
 /** What a module does and holds. Its three pictures are in slots. */
 export class Crate {
-  /** The little world's module, once it is loaded. */
+  /** The little world, once it is loaded. */
   world = null;
 
   constructor(exports) {
@@ -52,11 +75,7 @@ export class Crate {
     const start = performance.now();
     this.ask("draw", settings, slot);
     if (settings.scene === WORLD) {
-      const { mode, tolerance, width, height, first_row, rows, yaw } = settings;
-      const moment = Math.round((yaw / 360) * 2 ** 32);
-      const at = this.world.draw(mode, 2 ** tolerance, width, height, first_row, rows, moment);
-      const band = new Uint16Array(this.world.memory.buffer, at, width * rows);
-      this.picture(settings, slot).set(band, width * first_row);
+      this.picture(settings, slot).set(this.world.draw(settings), settings.width * settings.first_row);
     }
     return performance.now() - start;
   }

@@ -17,6 +17,7 @@
 //! | `../reader` | a module of its own, which reads the user's files |
 //! | `../world` | another one, which draws the little world |
 //! | `../gif` | another one, which writes an animated GIF |
+//! | `../display` | another one, which draws what a board's display shows |
 //! | `main`, `server` | the program that serves the page, or writes it |
 //! | `../tests` | the page and its module under Node and in Chromium, and the printed programs: see `.ci/playground` |
 #![cfg_attr(target_arch = "wasm32", no_std)]

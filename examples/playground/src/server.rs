@@ -30,11 +30,15 @@ files! {
     "files.js": "text/javascript" = "../page/files.js",
     "animation.js": "text/javascript" = "../page/animation.js",
     "board.js": "text/javascript" = "../page/board.js",
+    "display.js": "text/javascript" = "../page/display.js",
     "segment.js": "text/javascript" = "../page/segment.js",
+    "icon.png": "image/png" = "../page/icon.png",
+    "preview.png": "image/png" = "../page/preview.png",
     "playground.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/playground.wasm.gz"),
     "reader.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/reader.wasm.gz"),
     "animation.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/animation.wasm.gz"),
     "world.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/world.wasm.gz"),
+    "display.wasm.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/display.wasm.gz"),
     "pico_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico_model.gz"),
     "pico2_model.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/pico2_model.gz"),
     "emulator.js.gz": "application/gzip" = concat!(env!("OUT_DIR"), "/emulator.js.gz"),
@@ -60,6 +64,23 @@ impl File {
         self.name == "emulator.js.gz"
     }
 }
+
+/// What the server answers in place of the guide, which it does not contain.
+const GUIDE: File = File {
+    name: "doc",
+    kind: "text/html; charset=utf-8",
+    bytes: br#"<!doctype html>
+<html lang="en">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>The guide</title>
+<style>:root { color-scheme: light dark; font: 16px/1.5 system-ui, sans-serif; } body { margin: 2em; }</style>
+<h1>The guide</h1>
+<p>This program does not contain the guide. In a clone, this command makes and opens it:</p>
+<pre>cargo doc -p fixel --all-features --no-deps --open</pre>
+<p>Or read the <a href="https://fixel-rs.github.io/fixel/doc/fixel/guide/index.html">published guide</a>.</p>
+</html>
+"#,
+};
 
 /// Writes a line to the output, which may be closed.
 pub fn say(line: &str) -> Result<(), String> {
@@ -102,6 +123,7 @@ fn answer(mut stream: TcpStream) -> io::Result<()> {
         .find(|file| file.name == name && file.is_there())
     {
         Some(file) => ("200 OK", file.kind, file.bytes),
+        None if name.starts_with("doc/") => ("404 Not Found", GUIDE.kind, GUIDE.bytes),
         None => ("404 Not Found", "text/plain", &b"not found\n"[..]),
     };
     let length = bytes.len();

@@ -135,6 +135,12 @@ export class Page {
     return this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
   }
 
+  /** Limits what arrives from the network, in bits a second, and how soon, in milliseconds; without limits by default. */
+  network(bits = -8, latency = 0) {
+    const [downloadThroughput, uploadThroughput] = [bits / 8, bits / 8];
+    return this.send("Network.emulateNetworkConditions", { offline: false, latency, downloadThroughput, uploadThroughput });
+  }
+
   theme(value) {
     return this.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
   }

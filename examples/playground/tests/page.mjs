@@ -16,9 +16,9 @@ export const page = (name) => import(pathToFileURL(`${folder}/${name}`));
 const { fetch } = globalThis;
 globalThis.fetch = (path) => (/\.gz$/.test(path) ? new Response(readFileSync(`${folder}/${path}`)) : fetch(path));
 
-const { Crate, load } = await page("module.js");
+const { Crate, World, load } = await page("module.js");
 export const crate = new Crate(await load("playground.wasm.gz"));
-crate.world = await load("world.wasm.gz");
+crate.world = new World(await load("world.wasm.gz"));
 const { read } = await page("files.js");
 
 /** Reads files, given by their names and contents, as the page does; returns the notes. */

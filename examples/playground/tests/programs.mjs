@@ -78,7 +78,7 @@ for (let index = 0; index < WORLD; index++) {
     });
   }
 }
-for (const mode of MODES.keys()) add(WORLD, { mode, yaw: 54 * mode });
+for (const yaw of [0, 54, 216]) add(WORLD, { yaw });
 const mtl = "newmtl roof\nKd 0.8 0.2 0.1\nnewmtl floor\nKd 0.3 0.3 0.6\n";
 const painted = `mtllib house.mtl\n${OBJ.replace("f 1/1/1", "usemtl roof\nf 1/1/1").replace("f 4/1/5", "usemtl floor\nf 4/1/5")}`;
 await dropped({ "house.mtl": mtl, "house.obj": painted });

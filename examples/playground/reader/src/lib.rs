@@ -15,7 +15,7 @@
 //! A part that does not exist is empty.
 //!
 //! For a board, the page first adds the board's program, then the files, and calls `flash`. Part 0 is then a UF2 of
-//! both, and parts 3 to 5 are as above.
+//! both, part 1 has the words of the model, part 2 says what the model costs on the board, and parts 3 to 5 are as above.
 
 mod model;
 mod texture;
@@ -177,7 +177,8 @@ fn flashed(files: &Dropped, panel: u32) -> Result<Answer, String> {
     let board = flash_model::board(program.1)?;
     let words = flash_model::write(name, &files, spare.as_ref(), board, module, &mut notes)?;
     let uf2 = flash_model::uf2(program.1, &words)?;
+    let cost = flash_model::cost(&words, board)?.into_bytes();
+    let words = words.iter().flat_map(|word| word.to_le_bytes()).collect();
     let notes = notes.join("\n").into_bytes();
-    let none = Vec::new();
-    Ok([uf2, none.clone(), none.clone(), name.into(), notes, none])
+    Ok([uf2, words, cost, name.into(), notes, Vec::new()])
 }
