@@ -2,8 +2,13 @@
 //! own, which the page loads when someone runs a board.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+// A board also asks whether there is a model, and reports a panic.
+#[allow(dead_code)]
 #[path = "../../../boards/src/model.rs"]
 mod model;
+#[allow(dead_code)]
+#[path = "../../../boards/src/report.rs"]
+mod report;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixel::prelude::*;
