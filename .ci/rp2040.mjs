@@ -11,8 +11,8 @@
 // the LED was on or off, and the bytes of stack that each core used.
 //
 // --panic    a frame is on its way when a core reads another number of its own than 0 and 1, once, which rp2040-hal
-//            answers with a panic. Writes what the panel shows then. Prints the times in ms for which the LED is on, off,
-//            on, ... until a pause, and the bytes of stack.
+//            answers with a panic. Writes what the panel shows then. Prints the times in ms for which the LED is on,
+//            off, on, ... until a pause, and the bytes of stack.
 // --bus      gaps: the bus rests for two of its clocks after each word, as the chip's bus does in mode 0;
 //            instant: the bus takes no time, so that only the processors' time remains
 // --landscape  the panel is an ST7789 of 240x320 pixels, turned to 320x240
@@ -140,7 +140,7 @@ const isDone = () => (options.panic
 try {
   while (!isDone()) {
     pico.step();
-    if (clock.nanos > LIMIT) fail(`only ${frames.length} frames${options.panic ? ' and no blinks' : ''} in ${LIMIT / 1e9} s`);
+    if (clock.nanos > LIMIT) fail(`only ${frames.length} frames and ${blinks.length} blinks in ${LIMIT / 1e9} s`);
   }
   panel.check();
 } catch (error) {
