@@ -525,9 +525,9 @@ export class Pico {
 
   /**
    * Adds what rp2040js lacks: the core's voltage (1.1 V, as after a reset), the ring oscillator's registers, the
-   * register that aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory. A write to
-   * the value of SysTick starts a whole period; rp2040js ends a period at once. A program that asks whether the period is
-   * over does nothing but wait: time passes faster.
+   * register that aborts transfers (Embassy reads it, and no abort lasts), and the unit that protects memory. A write
+   * to the value of SysTick starts a whole period; rp2040js ends a period at once. A program that asks whether the
+   * period is over does nothing but wait: time passes faster.
    */
   #complete() {
     const { peripherals, dma, ppb } = this.chip;
