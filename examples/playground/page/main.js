@@ -116,8 +116,10 @@ async function measure(goesOn) {
   remember();
   const left = crate.ask("checksum", crate.ask("measure", now, SCRATCH));
   showNumbers(left, timed(now));
-  if (left.submitted === 0) tell("hint", "Drop a model here (.obj, .stl, .ply, .gltf or .glb), with its materials and pictures.");
-  else if (left.pixels === 0) tell("hint", "Nothing is seen: all triangles face away, or lie outside the picture.");
+  if (left.submitted === 0) {
+    tell("hint", "Drop a model here (.obj, .stl, .ply, .gltf or .glb), with its materials and pictures.");
+    $("cost").hidden = $("figure").hidden = true; // there is nothing to compare
+  } else if (left.pixels === 0) tell("hint", "Nothing is seen: all triangles face away, or lie outside the picture.");
   tell("code", crate.program(now));
   tell("copy", "Copy");
   const marks = [];
