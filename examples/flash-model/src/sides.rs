@@ -16,10 +16,11 @@ const STEP_MS: u64 = 250;
 /// The most triangles of a mesh whose triangles share no corner.
 const MOST: usize = 65_535 / 3;
 
-/// Makes faces of two-sided materials one-sided if they are on a surface whose backs cannot be seen. The turning model
-/// is then drawn in half of the time, because most files call all surfaces two-sided.
+/// Makes faces of two-sided materials one-sided if their backs cannot be seen. The turning model is then drawn in half
+/// of the time, because most files call all surfaces two-sided.
 ///
-/// Two faces are on the same surface if they share an edge.
+/// A back can be seen if a picture shows it, or the back of a face that shares a corner and a surface with it: between two
+/// pictures, slightly more is seen. Two faces are on the same surface if they share an edge.
 pub fn cull(
     model: &mut Model,
     has_holes: impl Fn(&Material) -> bool,
@@ -35,12 +36,12 @@ pub fn cull(
         (is_two_sided, material.is_some_and(&has_holes))
     };
     // A surface with holes keeps its backs, and hides nothing: nobody looks through its holes here.
-    let (mut fronts, mut candidates, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
+    let (mut fronts, mut candidates, mut whole) = (Vec::new(), Vec::new(), HashSet::new());
     for at in 0..model.triangles.len() {
         let surface = surfaces.of(at);
         let (is_two_sided, has_holes) = of(model, at);
         if has_holes {
-            seen.insert(surface);
+            whole.insert(surface);
         } else {
             fronts.push(at);
         }
@@ -48,12 +49,17 @@ pub fn cull(
             candidates.push(at);
         }
     }
+    let mut seen = HashSet::new();
     for at in visible(model, &fronts, &candidates, scale, z_up)? {
-        seen.insert(surfaces.of(at));
+        let surface = surfaces.of(at);
+        seen.extend(corners(model, at).map(|corner| (surface, corner)));
     }
     let mut twins = HashMap::new();
     for at in 0..model.triangles.len() {
-        if !of(model, at).0 || seen.contains(&surfaces.of(at)) {
+        let surface = surfaces.of(at);
+        let mut own = corners(model, at).into_iter();
+        let is_seen = own.any(|corner| seen.contains(&(surface, corner)));
+        if !of(model, at).0 || is_seen || whole.contains(&surface) {
             continue;
         }
         let old = model.triangles[at].material;
@@ -84,9 +90,8 @@ impl Surfaces {
             edges: HashMap::new(),
         };
         let mut points = HashMap::new();
-        for (at, triangle) in model.triangles.iter().enumerate() {
-            let corners = triangle.corners.map(|corner| {
-                let point = model.positions[corner.position as usize].map(|x| (x + 0.0).to_bits());
+        for at in 0..model.triangles.len() {
+            let corners = corners(model, at).map(|point| {
                 let new = points.len();
                 *points.entry(point).or_insert(new)
             });
@@ -128,6 +133,14 @@ impl Surfaces {
         open.extend(volumes.iter().filter(|it| *it.1 <= 0.0).map(|it| it.0));
         open
     }
+}
+
+/// The places of a face's corners, of which equal ones are one key.
+fn corners(model: &Model, face: usize) -> [[u64; 3]; 3] {
+    model.triangles[face].corners.map(|corner| {
+        let place = model.positions[corner.position as usize];
+        place.map(|x| (x + 0.0).to_bits())
+    })
 }
 
 /// Returns those of the faces `backs` whose backs are seen before the fronts of the faces `fronts`, while the model turns
