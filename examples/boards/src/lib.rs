@@ -15,6 +15,8 @@ pub mod pico;
 #[cfg(all(feature = "picos", not(feature = "rtic")))]
 pub mod queue;
 pub mod slow_bus;
+#[cfg(feature = "world")]
+pub mod walk;
 
 #[cfg(feature = "ball")]
 pub use ball as scene;
