@@ -148,9 +148,10 @@ pub mod lines {}
 #[doc = recipe!("Instruments", "instruments")]
 #[doc = recipe!("A drone's display", "drone")]
 #[doc = titled!("A little world", "world")]
-/// A walk through a garden at dusk uses most of the techniques of the cookbook. Walls, grass and water have mipmaps.
-/// The trees and the glow around each lamp are sprites. The lamps light the walls near them. The scene also has fog, a
-/// sky with stars and a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
+/// A walk through a garden at dusk uses most of the techniques of the cookbook. The trees and the glow around each lamp
+/// are sprites. The compiler computes the light of the dusk and of the lamps, and keeps it in the colors of vertices; a
+/// shader of the scene's own multiplies this light by the texels, and adds haze. The scene also has a sky with stars and
+/// a moon, and a mirror image under translucent water. Labels, a compass, gauges and a map are drawn
 /// over the picture. The command `cargo run -p cookbook world` draws the picture and an animation. The program in
 /// `examples/common/world` draws whole frames or bands, and needs no memory except the canvas.
 ///

@@ -4,12 +4,14 @@
 //! model PROGRAM MODULE MODEL [PICTURE] [-o model.uf2]
 //! model UF2 MODULE [-o model.uf2]
 //! model UF2 MILLISECONDS [-o picture.ppm]
+//! model PROGRAM [-o program.uf2]
 //! ```
 //!
 //! PROGRAM is the program for a Pico or a Pico 2, or a UF2 with the program and another model. MODULE is the name of a
 //! module with a display. After the name, commas separate values that replace the module's own, as in
-//! `st7789,rotation=1,cs=none`. If you give no model, the new UF2 has the model of the old one. Without `-o`, the bytes
-//! go to standard output. Before it writes, the command says what the model costs on the board.
+//! `st7789,rotation=1,cs=none`. If you give no model, the new UF2 has the model of the old one. Another program can be
+//! made a UF2 alone. Without `-o`, the bytes go to standard output. Before it writes, the command says what the model
+//! costs on the board.
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -25,7 +27,7 @@ use flash_model::{Board, Module, board, cost, region, uf2, with_module, write};
 
 const USAGE: &str = "give the file of the program (such as pico.uf2), the module with the display (such as st7789) and \
                      the model, and perhaps a picture and -o FILE; or a UF2 and a module, to keep the model; or a UF2 \
-                     and a time in milliseconds, for a picture";
+                     and a time in milliseconds, for a picture; or a program alone";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -78,6 +80,7 @@ fn run(args: &[&str]) -> Result<(), Box<dyn Error>> {
                 with_module(&words(&file), module).map_err(|problem| problem.to_string())?;
             uf2(&file, &words)?
         }
+        [program] => uf2(&read(program)?, &[])?,
         _ => return Err(USAGE.into()),
     };
     let Some(to) = to else {
@@ -139,11 +142,8 @@ fn picture(uf2: &[u8], now_ms: u64) -> Result<Vec<u8>, Box<dyn Error>> {
     let (width, height) = scene.size();
     let mut pixels = vec![Rgb565::BLACK; (width * height) as usize];
     let mut depths = vec![0; pixels.len()];
-    scene.draw(
-        now_ms,
-        Canvas::new(&mut pixels, width, height)?,
-        &mut depths,
-    )?;
+    let canvas = Canvas::new(&mut pixels, width, height)?;
+    scene.draw(now_ms, &mut canvas.with_depth(&mut depths)?);
     let mut picture = format!("P6 {width} {height} 255\n").into_bytes();
     for color in pixels.into_iter().map(Rgb888::from) {
         picture.extend([color.r(), color.g(), color.b()]);

@@ -17,6 +17,8 @@ pub mod pico;
 pub mod queue;
 pub mod report;
 pub mod slow_bus;
+#[cfg(feature = "world")]
+pub mod walk;
 
 #[cfg(feature = "ball")]
 pub use ball as scene;

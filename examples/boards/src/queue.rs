@@ -9,25 +9,31 @@ use cortex_m::asm::{sev, wfe};
 use cortex_m::peripheral::NVIC;
 use critical_section::Mutex;
 use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Canvas, Words};
+use fixel::Error;
+use fixel::canvas::{Canvas, LinearDepth, Words};
 use flash_model::Module;
 use hal::pac::{self, interrupt};
 use hal::sio;
-use heapless::{Deque, Vec};
+use heapless::Vec;
 
 use crate::led;
+use crate::panel::widen;
 use crate::pico::{
     self, BANDS, BANDS_OF_FRAME, Band, HEIGHT, MODULE, Output, ROWS, Sender, Timer, WIDTH, hal,
 };
 use crate::scene::{Memory, Scene};
 
+/// A frame, and the number in it of a band.
+type At = (u32, u32);
+
 /// The bands, and their way to the display.
 struct Queue {
     sender: Sender,
-    finished: Deque<Band, BANDS>,
+    finished: Vec<(At, Band), BANDS>,
     free: Vec<Band, BANDS>,
-    /// The frame and the number in it of the band that comes into the queue next.
-    next: (u32, u32),
+    /// The band that a core gets next, and the one that is sent next.
+    to_draw: At,
+    to_send: At,
     bands_of_frame: u32,
     /// The frames that were begun, and the time of the last.
     begun: u32,
@@ -104,23 +110,26 @@ pub fn animate(share: Share, timer: Timer, memory: &mut Memory) -> ! {
     loop {
         let moment = scene.at(begin(frame, timer), memory).unwrap();
         for number in (share.first_band..BANDS_OF_FRAME).step_by(share.band_step) {
-            let band = free();
+            let at = (frame, number);
+            let band = wait_for(|queue| {
+                if queue.to_draw == at {
+                    queue.take()
+                } else {
+                    None
+                }
+            });
             let canvas = Canvas::<Rgb565, Words>::band(&mut band[..], WIDTH, HEIGHT, number * ROWS);
             moment.draw(&mut canvas.unwrap());
-            send((frame, number), band);
+            send(at, band);
         }
         frame = frame.wrapping_add(share.frame_step);
     }
 }
 
 /// The time of a frame, which is the same on both cores. They begin frames in their order.
-pub fn begin(frame: u32, timer: Timer) -> u64 {
+fn begin(frame: u32, timer: Timer) -> u64 {
     wait_for(|queue| {
-        if queue.begun == frame {
-            queue.now_ms = timer.get_counter().ticks() / 1000;
-            queue.begun = frame.wrapping_add(1);
-            led::show(&mut queue.led, queue.pattern, queue.now_ms);
-        }
+        queue.begin(frame, timer);
         (queue.begun == frame.wrapping_add(1)).then_some(queue.now_ms)
     })
 }
@@ -133,34 +142,90 @@ pub fn set_pattern(pattern: u16) {
     });
 }
 
-/// A band to draw into, as soon as there is one.
-pub fn free() -> Band {
-    wait_for(|queue| queue.free.pop())
+/// Draws bands of a module's frames for ever, with depths: on each core, the next band that no core draws yet. `draw` gets
+/// the time of the frame, the band and the depths.
+///
+/// # Panics
+///
+/// There are fewer depths than pixels.
+pub fn animate_with_depth(
+    module: &Module,
+    timer: Timer,
+    depths: &mut [u16],
+    draw: impl Fn(u64, &mut Canvas<'_, Rgb565, Words, LinearDepth>) -> Result<(), Error>,
+) -> ! {
+    let ((width, height), rows) = (module.size(), pico::rows_for(module));
+    let pixels = (width * rows) as usize;
+    loop {
+        let (at, now_ms, band) = next(timer);
+        let canvas = Canvas::<Rgb565, Words>::band(&mut band[..pixels], width, height, at.1 * rows);
+        let canvas = canvas.and_then(|canvas| canvas.with_depth(&mut depths[..pixels]));
+        draw(now_ms, &mut canvas.unwrap()).unwrap();
+        if module.bytes_of_pixel() == 3 {
+            widen(band);
+        }
+        send(at, band);
+    }
 }
 
-/// Puts a band into the queue once all bands before it are there. `at` is its frame, and its number in the frame.
-pub fn send(at: (u32, u32), band: Band) {
+/// The next band that no core draws yet: its frame and its number, the time of the frame, and memory to draw into.
+fn next(timer: Timer) -> (At, u64, Band) {
+    wait_for(|queue| {
+        let at = queue.to_draw;
+        let band = queue.take()?;
+        queue.begin(at.0, timer);
+        Some((at, queue.now_ms, band))
+    })
+}
+
+/// Puts a band into the queue. It is sent once all bands before it were.
+fn send(at: At, band: Band) {
     let mut band = Some(band);
     wait_for(|queue| {
-        if queue.next != at {
-            return None;
-        }
-        let (frame, number) = at;
-        queue.next = if number + 1 < queue.bands_of_frame {
-            (frame, number + 1)
-        } else {
-            (frame.wrapping_add(1), 0)
-        };
-        queue.finished.push_back(band.take()?).ok()?;
+        queue.finished.push((at, band.take()?)).ok()?;
         queue.start_next();
         Some(())
     });
 }
 
 impl Queue {
-    /// Starts the next band, if there is one and nothing is being sent.
+    /// Memory for the next band, if there is any. The bands of a frame get theirs in their order, so the first of those
+    /// that are drawn can always be finished and sent, and a core never waits for the other.
+    fn take(&mut self) -> Option<Band> {
+        let band = self.free.pop()?;
+        self.to_draw = self.after(self.to_draw);
+        Some(band)
+    }
+
+    /// Begins a frame, unless it has begun.
+    fn begin(&mut self, frame: u32, timer: Timer) {
+        if self.begun == frame {
+            self.now_ms = timer.get_counter().ticks() / 1000;
+            self.begun = frame.wrapping_add(1);
+            led::show(&mut self.led, self.pattern, self.now_ms);
+        }
+    }
+
+    fn after(&self, (frame, number): At) -> At {
+        if number + 1 < self.bands_of_frame {
+            (frame, number + 1)
+        } else {
+            (frame.wrapping_add(1), 0)
+        }
+    }
+
+    /// Starts the next band, if it is finished and nothing is being sent.
     fn start_next(&mut self) {
-        self.sender.start(|| self.finished.pop_front());
+        let at = self.to_send;
+        let mut is_started = false;
+        self.sender.start(|| {
+            let index = self.finished.iter().position(|&(of, _)| of == at)?;
+            is_started = true;
+            Some(self.finished.swap_remove(index).1)
+        });
+        if is_started {
+            self.to_send = self.after(at);
+        }
     }
 }
 
@@ -201,9 +266,10 @@ pub fn start_with(module: &Module) -> Option<Rest> {
     let board = pico::set_up(pac::Peripherals::take()?, module)?;
     let queue = Queue {
         sender: board.sender,
-        finished: Deque::new(),
+        finished: Vec::new(),
         free: board.bands,
-        next: (0, 0),
+        to_draw: (0, 0),
+        to_send: (0, 0),
         bands_of_frame: module.size().1 / pico::rows_for(module),
         begun: 0,
         now_ms: 0,

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X13};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::text::{Baseline, Text};
-use fixel::canvas::{Canvas, Storage};
+use fixel::canvas::{Canvas, DepthBuffer, Storage};
 use heapless::String;
 
 /// A text in lines that fit on the display. What does not fit is left out.
@@ -49,7 +49,7 @@ impl Report {
 
     /// Draws the text on a frame, or on a band of it.
     #[inline(never)] // a program draws its messages, too
-    pub fn draw<O: Storage<Rgb565>>(&self, canvas: &mut Canvas<'_, Rgb565, O>) {
+    pub fn draw<O: Storage<Rgb565>, D: DepthBuffer>(&self, canvas: &mut Canvas<'_, Rgb565, O, D>) {
         let (left, top) = self.corner();
         let corner = Point::new(left.cast_signed(), top.cast_signed());
         let style = MonoTextStyle::new(&FONT_6X13, Rgb565::WHITE);

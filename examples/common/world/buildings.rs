@@ -1,7 +1,10 @@
 //! Things that stand on the map, except blocks: roofs, windows and lamps.
 
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Index;
 use fixel::prelude::*;
+
+use super::{light, map};
 
 /// For each roof, in sixteenths of a unit: its west, north, east and south edges, the height of its eaves, and its
 /// rise.
@@ -15,9 +18,11 @@ static EAVES: [[i16; 6]; 5] = [
 
 /// Hipped roofs with a ridge from west to east. A roof on a square is a pyramid.
 pub static ROOFS: Mesh = {
-    static CORNERS: ([[i16; 3]; 70], [Vec2; 70], [[Index; 3]; 30]) = {
+    #[allow(clippy::type_complexity)] // it is written here alone
+    static CORNERS: ([[i16; 3]; 70], [Vec2; 70], [Rgb888; 70], [[Index; 3]; 30]) = {
         let mut positions = [[0; 3]; 70];
         let mut uvs = [vec2!(0, 0); 70];
+        let mut colors = [Rgb888::new(0, 0, 0); 70];
         let mut faces = [[0; 3]; 30];
         let mut at = 0;
         while at < EAVES.len() {
@@ -45,6 +50,16 @@ pub static ROOFS: Mesh = {
                 while corner < if slope < 2 { 4 } else { 3 } {
                     let [x, y, z] = slopes[slope][corner];
                     positions[first + corner] = [x, y, z];
+                    // How steep the slope is, and to which side it falls.
+                    let (rise, run) = (rise as i32, inset as i32);
+                    let normal = [
+                        [0, run, rise],
+                        [0, run, -rise],
+                        [rise, run, 0],
+                        [-rise, run, 0],
+                    ];
+                    let place = [x as i32, y as i32, z as i32];
+                    colors[first + corner] = light::at(place, Some(normal[slope]));
                     let along = if slope < 2 { x } else { z };
                     uvs[first + corner] =
                         Vec2::from_bits([(along as i32) << 15, -(y as i32) << 15]);
@@ -62,11 +77,10 @@ pub static ROOFS: Mesh = {
             }
             at += 1;
         }
-        (positions, uvs, faces)
+        (positions, uvs, colors, faces)
     };
-    Mesh::checked(
-        Mesh::checked(Mesh::quantized(&CORNERS.0, 4, &CORNERS.2)).with_uvs(&CORNERS.1, None),
-    )
+    let mesh = Mesh::checked(Mesh::quantized(&CORNERS.0, 4, &CORNERS.3));
+    Mesh::checked(Mesh::checked(mesh.with_uvs(&CORNERS.1, None)).with_colors(&CORNERS.2, None))
 };
 
 /// A window: the middle of its sill in sixteenths of a unit, whether it faces north, and half its width and its height.
@@ -153,11 +167,70 @@ pub static WINDOWS: Mesh = {
 
 /// The light around windows, a little in front of the windows.
 pub static HALOS: Mesh = {
-    static POSITIONS: [[i16; 3]; 4 * PANES] = around(9, 2);
+    static POSITIONS: [[i16; 3]; 4 * PANES] = around(5, 2);
     panes(&POSITIONS)
 };
 
-/// A box from −1 to 1, for posts and lanterns.
-pub static BOX: Mesh = shape!(cuboid(vec3!(1, 1, 1)));
-/// Two pyramids base to base, for the caps of lanterns.
-pub static CAP: Mesh = shape!(sphere(4, 2));
+const COUNT: usize = map::LAMPS.len();
+
+/// The parts of a lamp: half their width at their lower and at their upper end, the heights of these ends, in 128ths of
+/// a unit, and their color.
+const PARTS: [([i16; 2], [i16; 2], Rgb888); 4] = [
+    ([6, 6], [0, 180], IRON),
+    ([13, 13], [180, 216], FLAME),
+    ([24, 0], [216, 240], IRON),
+    ([0, 24], [206, 216], IRON),
+];
+const FLAME: Rgb888 = Rgb888::new(255, 226, 150);
+/// Iron in the dusk.
+const IRON: Rgb888 = Rgb888::new(18, 15, 27);
+
+/// A lamp on the map.
+pub fn lamp(lamp: usize) -> Mesh<'static> {
+    const FACES: usize = 8 * PARTS.len();
+    LAMPS.part(FACES * lamp..FACES * (lamp + 1))
+}
+
+/// The lamps on the map. Each part has four sides.
+static LAMPS: Mesh = {
+    const LENGTH: usize = COUNT * PARTS.len();
+    static CORNERS: (
+        [[i16; 3]; 8 * LENGTH],
+        [Rgb888; 8 * LENGTH],
+        [[Index; 3]; 8 * LENGTH],
+    ) = {
+        let mut positions = [[0; 3]; 8 * LENGTH];
+        let mut colors = [FLAME; 8 * LENGTH];
+        let mut faces = [[0; 3]; 8 * LENGTH];
+        let mut at = 0;
+        while at < 8 * LENGTH {
+            let (widths, heights, color) = PARTS[at / 8 % PARTS.len()];
+            let [x, _, z] = map::LAMPS[at / 8 / PARTS.len()].to_bits();
+            // Four corners below, and four above.
+            let (corner, end) = (at % 4, at / 4 % 2);
+            let half = widths[end];
+            positions[at] = [
+                (x >> 9) as i16
+                    + if corner == 1 || corner == 2 {
+                        half
+                    } else {
+                        -half
+                    },
+                heights[end],
+                (z >> 9) as i16 + if corner < 2 { half } else { -half },
+            ];
+            colors[at] = color;
+            let first = at / 8 * 8;
+            let [left, right] = [first + corner, first + (corner + 1) % 4];
+            faces[at] = if end == 0 {
+                [left as Index, right as Index, right as Index + 4]
+            } else {
+                [left as Index, right as Index + 4, left as Index + 4]
+            };
+            at += 1;
+        }
+        (positions, colors, faces)
+    };
+    let mesh = Mesh::checked(Mesh::quantized(&CORNERS.0, 7, &CORNERS.2));
+    Mesh::checked(mesh.with_colors(&CORNERS.1, None))
+};

@@ -7,9 +7,12 @@
 
 use core::ops::Range;
 
+use embedded_graphics::pixelcolor::Rgb888;
 use fixel::Index;
 use fixel::mesh::Bounds;
 use fixel::prelude::*;
+
+use super::light;
 
 /// The number of cells along a side of the map.
 pub const SIDE: usize = 20;
@@ -107,11 +110,19 @@ pub static BOUNDS: [Bounds; BLOCKS * BLOCKS] = {
     let mut bounds = [Bounds::new(Vec3::ZERO, Vec3::ZERO); BLOCKS * BLOCKS];
     let mut at = 0;
     while at < bounds.len() {
-        let (x, z) = ((at % BLOCKS * BLOCK) as i16, (at / BLOCKS * BLOCK) as i16);
-        let size = BLOCK as i16;
+        let (x, z) = (at % BLOCKS * BLOCK, at / BLOCKS * BLOCK);
+        let (mut most, mut inside) = (0, 0);
+        while inside < BLOCK * BLOCK {
+            let Cell { height, .. } = cell(x + inside % BLOCK, z + inside / BLOCK);
+            if height != OUTSIDE && height > most {
+                most = height;
+            }
+            inside += 1;
+        }
+        let (x, z, size) = ((x as i32) << 16, (z as i32) << 16, (BLOCK as i32) << 16);
         bounds[at] = Bounds::new(
-            Vec3::from_ints(x, -1, z),
-            Vec3::from_ints(x + size, 5, z + size),
+            Vec3::from_bits([x, (WATER as i32) << 12, z]),
+            Vec3::from_bits([x + size, (most as i32) << 12, z + size]),
         );
         at += 1;
     }
@@ -138,6 +149,8 @@ struct Draft {
     positions: [[i16; 3]; 1600],
     /// Texture coordinates, in sixteenths of a unit of the world. A texture covers two units.
     uvs: [[i16; 2]; 1600],
+    /// The sides on which vertices are: see `NORMALS`. They say which light vertices are in.
+    sides: [u8; 1600],
     faces: [[Index; 3]; 1600],
     starts: [usize; BLOCKS * BLOCKS + 1],
     vertices: usize,
@@ -146,30 +159,35 @@ struct Draft {
     first: usize,
 }
 
+/// The normals of the sides of a cell, and of its top.
+const NORMALS: [[i32; 3]; 5] = [[0, 0, -1], [0, 0, 1], [1, 0, 0], [-1, 0, 0], [0, 1, 0]];
+const TOP: u8 = 4;
+
 impl Draft {
     /// Returns the index of a vertex. A vertex that the block does not have yet is added to the block. Positions are in
     /// sixteenths of a unit.
-    const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2]) -> Index {
+    const fn vertex(&mut self, [x, y, z]: [i16; 3], [u, v]: [i16; 2], side: u8) -> Index {
         let mut at = self.first;
         while at < self.vertices {
             let ([a, b, c], [d, e]) = (self.positions[at], self.uvs[at]);
-            if a == x && c == z && b == y && d == u && e == v {
+            if a == x && c == z && b == y && d == u && e == v && self.sides[at] == side {
                 return at as Index;
             }
             at += 1;
         }
         self.positions[at] = [x, y, z];
         self.uvs[at] = [u, v];
+        self.sides[at] = side;
         self.vertices += 1;
         at as Index
     }
 
     /// Adds a rectangle. The corners run counter-clockwise from the bottom left.
-    const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4]) {
-        let a = self.vertex(corners[0], uvs[0]);
-        let b = self.vertex(corners[1], uvs[1]);
-        let c = self.vertex(corners[2], uvs[2]);
-        let d = self.vertex(corners[3], uvs[3]);
+    const fn quad(&mut self, corners: [[i16; 3]; 4], uvs: [[i16; 2]; 4], side: u8) {
+        let a = self.vertex(corners[0], uvs[0], side);
+        let b = self.vertex(corners[1], uvs[1], side);
+        let c = self.vertex(corners[2], uvs[2], side);
+        let d = self.vertex(corners[3], uvs[3], side);
         self.faces[self.triangles] = [a, b, c];
         self.faces[self.triangles + 1] = [a, c, d];
         self.triangles += 2;
@@ -180,6 +198,7 @@ impl Draft {
         let mut draft = Self {
             positions: [[0; 3]; 1600],
             uvs: [[0; 2]; 1600],
+            sides: [0; 1600],
             faces: [[0; 3]; 1600],
             starts: [0; BLOCKS * BLOCKS + 1],
             vertices: 0,
@@ -209,7 +228,11 @@ impl Draft {
         if is(top, material) {
             let y = height;
             let corners = [[x, y, front], [right, y, front], [right, y, z], [x, y, z]];
-            self.quad(corners, [[x, front], [right, front], [right, z], [x, z]]);
+            self.quad(
+                corners,
+                [[x, front], [right, front], [right, z], [x, z]],
+                TOP,
+            );
         }
         if !is(Some(side), material) || height == OUTSIDE {
             return;
@@ -240,6 +263,7 @@ impl Draft {
                 self.quad(
                     [[a, y, b], [c, y, d], [c, upper, d], [a, upper, b]],
                     [[from, -y], [to, -y], [to, -upper], [from, -upper]],
+                    at as u8,
                 );
                 y = upper;
             }
@@ -277,10 +301,24 @@ macro_rules! layer {
             }
             uvs
         };
+        static COLORS: [Rgb888; DRAFT.vertices] = {
+            let mut colors = [Rgb888::new(0, 0, 0); DRAFT.vertices];
+            let mut at = 0;
+            while at < colors.len() {
+                let [x, y, z] = DRAFT.positions[at];
+                let normal = NORMALS[DRAFT.sides[at] as usize];
+                colors[at] = light::at([x as i32, y as i32, z as i32], Some(normal));
+                at += 1;
+            }
+            colors
+        };
         static FACES: [[Index; 3]; DRAFT.triangles] = first!(DRAFT.triangles, DRAFT.faces);
         Layer {
             mesh: Mesh::checked(
-                Mesh::checked(Mesh::quantized(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),
+                Mesh::checked(
+                    Mesh::checked(Mesh::quantized(&POSITIONS, 4, &FACES)).with_uvs(&UVS, None),
+                )
+                .with_colors(&COLORS, None),
             ),
             starts: DRAFT.starts,
         }
@@ -329,3 +367,19 @@ pub static LAMPS: [Vec3; count(*b"LL")] = points(*b"LL", fx!(1.6), 0);
 pub static TREES: [Vec3; count(*b"Tt")] = points(*b"Tt", fx!(0), 400);
 pub static CYPRESSES: [Vec3; count(*b"Cc")] = points(*b"Cc", fx!(0), 200);
 pub static BUSHES: [Vec3; count(*b"bb")] = points(*b"bb", fx!(0), 300);
+
+/// The light on plants, at their middle.
+const fn lights<const N: usize>(points: &[Vec3; N], height: i32) -> [Rgb888; N] {
+    let mut lights = [Rgb888::new(0, 0, 0); N];
+    let mut at = 0;
+    while at < N {
+        let [x, _, z] = points[at].to_bits();
+        lights[at] = light::at([x >> 12, height, z >> 12], None);
+        at += 1;
+    }
+    lights
+}
+
+pub static LIGHT_OF_TREES: [Rgb888; TREES.len()] = lights(&TREES, 32);
+pub static LIGHT_OF_CYPRESSES: [Rgb888; CYPRESSES.len()] = lights(&CYPRESSES, 24);
+pub static LIGHT_OF_BUSHES: [Rgb888; BUSHES.len()] = lights(&BUSHES, 8);

@@ -11,18 +11,22 @@
 //! | file | contents |
 //! |---|---|
 //! | `map` | the map, and the meshes that the compiler makes of it |
-//! | `buildings` | roofs, windows, parts of lamps |
+//! | `buildings` | roofs, windows, lamps |
+//! | `light` | the light, which the compiler bakes into the colors of vertices |
+//! | `paint` | the shader of surfaces in this light |
 //! | `textures` | textures, which the compiler paints |
 //! | `sky` | sky, stars, moon |
 //! | `hud` | compass, gauges, map |
 //!
-//! | on a Cortex-M4 without FPU, optimized for speed | 320x240 | 160x128 | 128x64 |
+//! | on a microcontroller | 320x240 | 240x240 | 128x64 |
 //! |---|---:|---:|---:|
-//! | million instructions a frame, mean of eight | 40.9 | 19.0 | 15.2 |
-//! | RAM of colors and depths, in KiB | 300 | 80 | 32 |
-//! | stack, in KiB | 10.5 | 10.5 | 10.5 |
-//! | flash of textures, in KiB | 110 | 110 | 110 |
-//! | flash of meshes, map and places, in KiB | 40 | 40 | 40 |
+//! | RAM of colors and depths, in KiB, without bands | 300 | 225 | 32 |
+//! | stack, in KiB | 10 | 10 | 10 |
+//! | flash of textures, in KiB | 90 | 90 | 90 |
+//! | flash of meshes, map and places, in KiB | 50 | 50 | 50 |
+//!
+//! The compiler also bakes the light of dusk and lamps into the colors of the meshes' vertices. The program
+//! `pico_world` of examples/boards draws the world in bands.
 //!
 //! The mirror image in the pond is drawn upside down below the water. The ground is drawn before, and hides the mirror
 //! image outside of the pond.
@@ -32,21 +36,25 @@
 
 pub mod buildings;
 pub mod hud;
+pub mod light;
 pub mod map;
+pub mod paint;
 pub mod sky;
 pub mod textures;
 
 use embedded_graphics::Drawable;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
-use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
 use fixel::mode::Mode;
 use fixel::prelude::*;
-use fixel::shade::Colored;
 use fixel::texture::Argb1555;
+
+use paint::Painted;
 
 const STOPS: usize = 8;
 /// The viewer's stops on the map.
@@ -91,13 +99,6 @@ fn along(points: &[Vec3; STOPS], turn: Angle) -> Vec3 {
 const WATER: Scalar = Scalar::from_bits((map::WATER as i32) << 12);
 static POND: Bounds = Bounds::new(vec3!(8, -0.2, 8), vec3!(12, -0.1, 12));
 
-/// The color of the light of all lamps: the lamps on the map, and one lamp above the door.
-const LAMPLIGHT: Rgb888 = Rgb888::new(255, 172, 82);
-const LAMPS: usize = map::LAMPS.len() + 1;
-const DOOR: Vec3 = vec3!(10, 1.7, 5.8);
-/// The range of the lamps.
-const REACH: Scalar = fx!(6.5);
-
 /// The viewer's place at a moment of the walk, and the point that the viewer looks at.
 #[must_use]
 pub fn viewer(turn: Angle) -> (Vec3, Vec3) {
@@ -120,22 +121,23 @@ pub fn draw(
         Projection::perspective(deg!(58), (size.width, size.height), fx!(0.15), fx!(60))?;
     let camera = Camera::look_at(eye, target, Vec3::Y)?;
     let scene = Scene {
-        projection,
-        size: (size.width, size.height),
+        eye,
         view: projection * camera,
-        fog: Fog::linear(sky::HAZE.into(), fx!(3), fx!(36))?,
         options: DrawOptions::new().with_mode(mode),
         turn,
     };
 
     canvas.clear(sky::HAZE.into());
-    sky::draw(canvas, &scene.options, &(projection * camera.sky()))?;
-    let above = World::upright()?;
-    scene.draw(canvas, &above)?;
-    if canvas.is_in_view(&scene.options, &POND, &scene.view) {
+    let (above, below) = (World::upright(), World::mirrored());
+    let pond = (canvas.viewport()).rectangle_on_screen(&POND, &scene.view, 0);
+    let pond = pond.filter(|_| canvas.is_in_view(&scene.options, &POND, &scene.view));
+    scene.draw(canvas, &above, None)?;
+    if pond.is_some() {
         // The ground hides the mirror image everywhere except in the pond.
-        let below = World::mirrored()?;
-        scene.draw(canvas, &below)?;
+        scene.draw(canvas, &below, pond)?;
+    }
+    sky::draw(canvas, &scene.options, &(projection * camera.sky()))?;
+    if pond.is_some() {
         scene.glows(canvas, &below)?;
         scene.water(canvas)?;
     }
@@ -158,14 +160,11 @@ pub fn draw(
 /// The world above the water, or its mirror image.
 struct World {
     model: Transform,
-    dusk: Colored<Light>,
-    /// The lamps with their places on the map.
-    lamps: [(Vec3, Colored<PointLight>); LAMPS],
     layers: &'static [(&'static map::Layer, &'static textures::Tile)],
 }
 
 impl World {
-    fn upright() -> Result<Self, Error> {
+    const fn upright() -> Self {
         static LAYERS: [(&map::Layer, &textures::Tile); 6] = [
             (&map::GRASS, &textures::GRASS),
             (&map::GRAVEL, &textures::GRAVEL),
@@ -174,170 +173,119 @@ impl World {
             (&map::STONE, &textures::STONE),
             (&map::PLASTER, &textures::PLASTER),
         ];
-        Self::new(Transform::IDENTITY, &LAYERS)
+        Self {
+            model: Transform::IDENTITY,
+            layers: &LAYERS,
+        }
     }
 
-    /// The mirror image: upside down below the water's surface, with its lights, and without the ground.
-    fn mirrored() -> Result<Self, Error> {
+    /// The mirror image: upside down below the water's surface, and without the ground.
+    fn mirrored() -> Self {
         static LAYERS: [(&map::Layer, &textures::Tile); 2] = [
             (&map::STONE, &textures::STONE),
             (&map::PLASTER, &textures::PLASTER),
         ];
         let down =
             Transform::translate(Vec3::Y * (WATER * 2)) * Transform::scale_axes(vec3!(1, -1, 1));
-        Self::new(down, &LAYERS)
-    }
-
-    fn new(
-        model: Transform,
-        layers: &'static [(&'static map::Layer, &'static textures::Tile)],
-    ) -> Result<Self, Error> {
-        // The light of the evening sky comes from the west.
-        let from = model.direction(vec3!(-3, 2.5, 1));
-        let dusk = Light::new(from, fx!(0.38), fx!(0.38))?.colored(Rgb888::new(150, 140, 215));
-        let door = PointLight::new(model.point(DOOR), fx!(0.9), fx!(5))?.colored(LAMPLIGHT);
-        let mut lamps = [(DOOR, door); LAMPS];
-        for (lamp, &place) in lamps.iter_mut().zip(&map::LAMPS) {
-            *lamp = (
-                place,
-                PointLight::new(model.point(place), fx!(1), REACH)?.colored(LAMPLIGHT),
-            );
+        Self {
+            model: down,
+            layers: &LAYERS,
         }
-        Ok(Self {
-            model,
-            dusk,
-            lamps,
-            layers,
-        })
-    }
-
-    /// Moves the lamps with light that reaches a box to the front, and returns the number of these lamps.
-    fn lamps_near(&self, bounds: &Bounds, near: &mut [Colored<PointLight>; LAMPS]) -> usize {
-        let reached = self.lamps.iter().filter(|(place, _)| {
-            let nearest = place.max(bounds.least).min(bounds.most);
-            place.distance(nearest) < REACH
-        });
-        near.iter_mut()
-            .zip(reached)
-            .map(|(near, (_, lamp))| *near = *lamp)
-            .count()
     }
 }
 
 /// The view of a frame.
 struct Scene<M> {
-    projection: Projection,
-    size: (u32, u32),
+    eye: Vec3,
     view: Mvp,
-    fog: Fog<Rgb565>,
     options: DrawOptions<M>,
     turn: Angle,
 }
 
 impl<M: Mode> Scene<M> {
-    /// Draws all solid surfaces.
+    /// Draws all solid surfaces, or at least those that reach into a window.
     fn draw(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         world: &World,
+        window: Option<Rectangle>,
     ) -> Result<(), Error> {
-        let (mvp, fog, options) = (self.view * world.model, self.fog, &self.options);
-        let mut lamps = world.lamps.map(|(_, lamp)| lamp);
-        let tile = |texture: &textures::Tile| {
-            let tile = Textured::new(*texture).bilinear();
-            tile.mipmapped(&self.projection, self.size)
-        };
-        for (block, bounds) in map::BOUNDS.iter().enumerate() {
-            if !canvas.is_in_view(options, bounds, &mvp) {
+        let (mvp, options) = (self.view * world.model, &self.options);
+        // From front to back, so that most hidden pixels are never shaded.
+        let mut blocks: [usize; map::BOUNDS.len()] = core::array::from_fn(|block| block);
+        blocks.sort_unstable_by_key(|&block| {
+            let Bounds { least, most } = map::BOUNDS[block];
+            self.eye.distance(self.eye.max(least).min(most))
+        });
+        for block in blocks {
+            let bounds = &map::BOUNDS[block];
+            if !self.shows(canvas, window, bounds, &mvp) {
                 continue;
             }
-            let near = world.lamps_near(bounds, &mut lamps);
-            let lights = (world.dusk, lamps.get(..near).unwrap_or_default());
             for (layer, texture) in world.layers {
                 if let Some(mesh) = layer.block(block) {
-                    canvas.draw_with(
-                        options,
-                        &mesh,
-                        &mvp,
-                        &tile(texture)?.lit(lights).in_fog(fog),
-                    );
+                    let tile = Painted(Textured::new(*texture));
+                    canvas.draw_with(options, &mesh, &mvp, &tile);
                 }
             }
         }
-        let slates = tile(&textures::SLATE)?.lit(world.dusk).in_fog(fog);
+        let slates = Painted(Textured::new(&textures::SLATE));
         canvas.draw_with(options, &buildings::ROOFS, &mvp, &slates);
-        let panes = Textured::new(&textures::WINDOW).clamped().bilinear();
-        canvas.draw_with(options, &buildings::WINDOWS, &mvp, &panes.in_fog(fog));
-
-        let iron = Flat::rgb(Rgb888::new(54, 50, 56))
-            .lit_faces(world.dusk)
-            .in_fog(fog);
-        let flame = Flat::rgb(Rgb888::new(255, 226, 150));
-        for &place in &map::LAMPS {
-            let part = |height: Scalar, size: Vec3| {
-                let place = Vec3::new(place.x, height, place.z);
-                mvp * Transform::translate(place) * Transform::scale_axes(size)
-            };
-            canvas.draw_with(
-                options,
-                &buildings::BOX,
-                &part(fx!(0.7), vec3!(0.05, 0.7, 0.05)),
-                &iron,
-            );
-            canvas.draw_with(
-                options,
-                &buildings::BOX,
-                &part(fx!(1.55), vec3!(0.1, 0.14, 0.1)),
-                &flame,
-            );
-            canvas.draw_with(
-                options,
-                &buildings::CAP,
-                &part(fx!(1.7), vec3!(0.19, 0.16, 0.19)),
-                &iron,
-            );
+        let panes = Textured::new(&textures::WINDOW).clamped();
+        canvas.draw_with(options, &buildings::WINDOWS, &mvp, &panes);
+        for (lamp, &flame) in map::LAMPS.iter().enumerate() {
+            let least = flame - vec3!(0.2, 1.6, 0.2);
+            if self.shows(
+                canvas,
+                window,
+                &Bounds::new(least, flame + vec3!(0.2, 0.3, 0.2)),
+                &mvp,
+            ) {
+                canvas.draw_with(options, &buildings::lamp(lamp), &mvp, &Gouraud::new());
+            }
         }
-        self.plants(
-            canvas,
-            world,
-            &map::TREES,
-            (fx!(3), fx!(3.4)),
-            &textures::TREE,
-        )?;
-        self.plants(
-            canvas,
-            world,
-            &map::CYPRESSES,
-            (fx!(1), fx!(4)),
-            &textures::CYPRESS,
-        )?;
-        self.plants(
-            canvas,
-            world,
-            &map::BUSHES,
-            (fx!(1), fx!(0.9)),
-            &textures::BUSH,
-        )
+
+        let plants = |places, size, colors| {
+            Sprites::new(places, size)?
+                .with_axis(Vec3::Y)?
+                .with_anchor(vec2!(0.5, 1))
+                .with_colors(colors)
+        };
+        // The plants turn about their stems to face the viewer.
+        let trees = plants(&map::TREES, (fx!(3), fx!(3.4)), &map::LIGHT_OF_TREES)?;
+        self.plants(canvas, &trees, &mvp, &textures::TREE);
+        let cypresses = plants(&map::CYPRESSES, (fx!(1), fx!(4)), &map::LIGHT_OF_CYPRESSES)?;
+        self.plants(canvas, &cypresses, &mvp, &textures::CYPRESS);
+        let bushes = plants(&map::BUSHES, (fx!(1), fx!(0.9)), &map::LIGHT_OF_BUSHES)?;
+        self.plants(canvas, &bushes, &mvp, &textures::BUSH);
+        Ok(())
     }
 
-    /// Draws plants of one kind. The plants turn about their stems to face the viewer.
+    /// Whether something in a box may have pixels in a canvas, and reaches into a window.
+    fn shows(
+        &self,
+        canvas: &Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
+        window: Option<Rectangle>,
+        bounds: &Bounds,
+        mvp: &Mvp,
+    ) -> bool {
+        canvas.is_in_view(&self.options, bounds, mvp)
+            && window.is_none_or(|window| {
+                let rectangle = canvas.viewport().rectangle_on_screen(bounds, mvp, 0);
+                rectangle.is_some_and(|it| !it.intersection(&window).is_zero_sized())
+            })
+    }
+
+    /// Draws plants of one kind.
     fn plants<const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
-        world: &World,
-        places: &[Vec3],
-        size: (Scalar, Scalar),
+        plants: &Sprites<'_>,
+        mvp: &Mvp,
         texture: &[[Argb1555; W]; H],
-    ) -> Result<(), Error> {
-        let plants = Sprites::new(places, size)?
-            .with_axis(Vec3::Y)?
-            .with_anchor(vec2!(0.5, 1));
-        let leaves = Textured::new(texture).clamped().bilinear();
-        let lamps = world.lamps.map(|(_, lamp)| lamp);
-        let leaves = leaves.lit((world.dusk, lamps)).in_fog(self.fog);
-        let options = self.options.with_cull(Cull::Nothing);
-        canvas.draw_with(&options, &plants, &(self.view * world.model), &leaves);
-        Ok(())
+    ) {
+        let leaves = Painted(Textured::new(texture).clamped());
+        canvas.draw_with(&self.options, plants, mvp, &leaves);
     }
 
     /// Draws the water's surface. The mirror image is visible through it.
@@ -358,13 +306,12 @@ impl<M: Mode> Scene<M> {
         let uvs = corners
             .map(|[x, z]| Vec2::new(TexCoord::ONE * (x / 2) + drift, TexCoord::ONE * (z / 2)));
         let mesh = Mesh::new(&positions, &[[0, 1, 2], [0, 2, 3]])?.with_uvs(&uvs, None)?;
-        let waves = Textured::new(textures::WATER).bilinear();
-        let waves = waves.mipmapped(&self.projection, self.size)?;
+        let waves = Textured::new(&textures::WATER);
         let options = self
             .options
             .with_depth_test(TestOnly)
             .with_blending(Opacity(92));
-        canvas.draw_with(&options, &mesh, &self.view, &waves.in_fog(self.fog));
+        canvas.draw_with(&options, &mesh, &self.view, &waves);
         Ok(())
     }
 
@@ -375,14 +322,7 @@ impl<M: Mode> Scene<M> {
         world: &World,
     ) -> Result<(), Error> {
         let shine = self.options.with_depth_test(TestOnly).with_blending(Add);
-        let glow = Textured::new(&textures::GLOW)
-            .clamped()
-            .bilinear()
-            .map(|_, light| {
-                let light = light.luma() >> 4;
-                Some(Rgb565::new(light, light + light / 4, light / 3))
-            });
-        let glow = glow.in_fog(Fog::linear(Rgb565::BLACK, fx!(3), fx!(36))?);
+        let glow = Textured::new(&textures::GLOW).clamped();
         let mvp = self.view * world.model;
         canvas.draw_with(&shine, &buildings::HALOS, &mvp, &glow);
         // The lamps flicker, each at its own time.
@@ -390,13 +330,9 @@ impl<M: Mode> Scene<M> {
             let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
             fx!(1) + fx!(0.05) * wave
         });
-        for (places, size) in [
-            (map::LAMPS.as_slice(), fx!(2.6)),
-            (map::LAMPS.as_slice(), fx!(0.9)),
-        ] {
-            let sprites = Sprites::new(places, (size, size))?.with_scales(&scales)?;
-            canvas.draw_with(&shine, &sprites, &mvp, &glow);
-        }
+        let sprites = Sprites::new(&map::LAMPS, (fx!(1.4), fx!(1.4)))?.with_scales(&scales)?;
+        let glow = Textured::new(&textures::LAMPLIGHT).clamped();
+        canvas.draw_with(&shine, &sprites, &mvp, &glow);
         Ok(())
     }
 

@@ -1,20 +1,20 @@
 //! The sky: colors by height and direction, stars, and a moon.
 
-use embedded_graphics::pixelcolor::{GrayColor, Rgb565, Rgb888};
-use fixel::canvas::{Add, DepthBuffer, NoTest, Storage};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use fixel::canvas::{Add, DepthBuffer, Storage, TestOnly};
 use fixel::mode::Mode;
 use fixel::prelude::*;
 
-use super::textures::{GLOW, MOON};
+use super::textures::{HALO, MOON};
 
 /// The color of everything in thick air.
 pub const HAZE: Rgb888 = Rgb888::new(92, 70, 100);
 
-const BALL: Mesh = shape!(sphere(16, 20))
+const BALL: Mesh = shape!(sphere(12, 14))
     .without_edges()
     .without_uvs()
     .without_normals();
-const CORNERS: usize = 17 * 21;
+const CORNERS: usize = 13 * 15;
 
 /// Dark blue above, purple haze in the east, and the afterglow of the sun in the west. The part below the horizon shows
 /// in the water.
@@ -45,7 +45,7 @@ static DOME: Mesh = {
     Mesh::checked(BALL.with_colors(&COLORS, None))
 };
 
-const COUNT: usize = 160;
+const COUNT: usize = 120;
 
 /// The directions and the brightness of stars.
 static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
@@ -67,14 +67,14 @@ static STARS: ([Vec3; COUNT], [Rgb888; COUNT]) = {
 /// The direction of the moon.
 const MOON_AT: Vec3 = vec3!(9.5, 10.2, -26);
 
-/// Draws the sky behind everything, so it neither tests nor stores depths. The view is the view of a [camera in the
+/// Draws the sky behind everything that was drawn before. The view is the view of a [camera in the
 /// middle of the sky](Camera::sky).
 pub fn draw(
     canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
     options: &DrawOptions<impl Mode>,
     view: &Mvp,
 ) -> Result<(), Error> {
-    let behind = options.with_depth_test(NoTest).with_cull(Cull::Nothing);
+    let behind = options.with_depth_test(TestOnly).with_cull(Cull::Nothing);
     let dome = *view * Transform::scale(fx!(30));
     canvas.draw_with(&behind, &DOME, &dome, &Gouraud::new());
 
@@ -82,17 +82,14 @@ pub fn draw(
     let stars = Sprites::in_pixels(&STARS.0, (fx!(1), fx!(1)))?.with_colors(&STARS.1)?;
     canvas.draw_with(&shining, &stars, &dome, &Gouraud::new());
 
-    let halo = Textured::new(&GLOW).clamped().bilinear().map(|_, light| {
-        let light = light.luma() >> 4;
-        Some(Rgb565::new(light / 2, light, 2 * light / 3))
-    });
+    let halo = Textured::new(&HALO).clamped();
     canvas.draw_with(
         &shining,
         &Sprites::new(&[MOON_AT], (fx!(11), fx!(11)))?,
         view,
         &halo,
     );
-    let moon = Textured::new(&MOON).clamped().bilinear();
+    let moon = Textured::new(&MOON).clamped();
     canvas.draw_with(
         &behind,
         &Sprites::new(&[MOON_AT], (fx!(2.6), fx!(2.6)))?,

@@ -1,7 +1,7 @@
 //! Textures, which the compiler paints.
 
-use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-use fixel::texture::{Argb1555, Mipmap};
+use embedded_graphics::pixelcolor::Rgb565;
+use fixel::texture::Argb1555;
 
 /// A number from 0 to 255 that looks random, but is always the same for the same arguments.
 const fn hash(x: u32, y: u32, seed: u32) -> u32 {
@@ -34,80 +34,41 @@ const fn shaded([r, g, b]: [u32; 3], light: u32) -> [u8; 3] {
     ]
 }
 
-pub type Tile = Mipmap<'static, Rgb565>;
+pub type Tile = [[Rgb565; 64]; 64];
 
-const LENGTH: usize = Mipmap::<Rgb565>::len(64, 64);
-
-/// A texture of 64x64 texels with all its levels. The expression computes the color of a texel from its column `$x` and
-/// its row `$y`.
-macro_rules! mipmap {
+/// A texture of 64x64 texels. The expression computes the color of a texel from its column `$x` and its row `$y`.
+macro_rules! tile {
     (|$x:ident, $y:ident| $color:expr) => {{
         #[allow(long_running_const_eval)]
-        static TEXELS: [Rgb565; LENGTH] = {
-            let mut texels = [[0; 3]; LENGTH];
-            let mut at = 0;
+        const TEXELS: Tile = {
+            let mut texels = [[Rgb565::new(0, 0, 0); 64]; 64];
+            let mut at = 0_u32;
             while at < 64 * 64 {
-                let ($x, $y) = (at as u32 % 64, at as u32 / 64);
+                let ($x, $y) = (at % 64, at / 64);
                 let [r, g, b]: [u8; 3] = $color;
-                texels[at] = [r >> 3, g >> 2, b >> 3];
+                texels[$y as usize][$x as usize] = Rgb565::new(r >> 3, g >> 2, b >> 3);
                 at += 1;
             }
-            with_levels(texels)
+            texels
         };
-        match Mipmap::new(&TEXELS, 64, 64) {
-            Ok(mipmap) => mipmap,
-            Err(_) => panic!(),
-        }
+        TEXELS
     }};
 }
 
-/// Fills all levels after level 0. Each texel is the mean of four texels of the level before.
-const fn with_levels(mut texels: [[u8; 3]; LENGTH]) -> [Rgb565; LENGTH] {
-    let (mut from, mut to, mut side) = (0, 64 * 64, 64);
-    while to < LENGTH {
-        let row = to + side / 2;
-        while to < row {
-            let mut channel = 0;
-            while channel < 3 {
-                let sum = texels[from][channel] as u32
-                    + texels[from + 1][channel] as u32
-                    + texels[from + side][channel] as u32
-                    + texels[from + side + 1][channel] as u32;
-                texels[to][channel] = ((sum + 2) / 4) as u8;
-                channel += 1;
-            }
-            (from, to) = (from + 2, to + 1);
-        }
-        from += side;
-        // All texels of the level before have been used, so the next level begins.
-        if from + side * side / 4 == to {
-            side /= 2;
-        }
-    }
-    let mut colors = [Rgb565::new(0, 0, 0); LENGTH];
-    let mut at = 0;
-    while at < LENGTH {
-        let [r, g, b] = texels[at];
-        colors[at] = Rgb565::new(r, g, b);
-        at += 1;
-    }
-    colors
-}
-
-pub static GRASS: Tile = mipmap!(|x, y| {
+pub static GRASS: Tile = tile!(|x, y| {
     // Blades are higher than they are wide.
     let blade = hash(x, y / 3 + hash(x, 0, 9) % 5, 1) / 2 + hash(x, y, 2) / 4;
     let patch = noise(x, y, 4, 6, 3);
     shaded([78 + patch / 8, 118, 62], 100 + blade + patch / 4)
 });
 
-pub static GRAVEL: Tile = mipmap!(|x, y| {
+pub static GRAVEL: Tile = tile!(|x, y| {
     let pebble = hash(x / 2, y / 2 + x / 2 % 2, 4) / 3 + hash(x, y, 5) / 3;
     shaded([196, 178, 152], 110 + pebble + noise(x, y, 4, 6, 6) / 8)
 });
 
 /// Slabs of two sizes, in rows.
-pub static PAVING: Tile = mipmap!(|x, y| {
+pub static PAVING: Tile = tile!(|x, y| {
     let (row, along) = (y / 16, (x + y / 16 * 13) % 64);
     let (slab, edge) = if along < 36 {
         (0, along)
@@ -130,7 +91,7 @@ pub static PAVING: Tile = mipmap!(|x, y| {
 });
 
 /// Rows of blocks with light upper edges and dark joints. Every other row is shifted by half a block.
-pub static STONE: Tile = mipmap!(|x, y| {
+pub static STONE: Tile = tile!(|x, y| {
     let (row, shift) = (y / 12, y / 12 % 2 * 8 + y / 24 * 5);
     let (along, down) = ((x + shift) % 16, y % 12);
     let block = hash((x + shift) % 64 / 16, row, 10);
@@ -145,7 +106,7 @@ pub static STONE: Tile = mipmap!(|x, y| {
 });
 
 /// Plaster between timbers.
-pub static PLASTER: Tile = mipmap!(|x, y| {
+pub static PLASTER: Tile = tile!(|x, y| {
     let brace = (x + 64 - y) % 64 < 4 && y > 32;
     if y < 5 || x % 32 < 4 || brace {
         shaded([112, 78, 58], 150 + noise(x, y, 1, 6, 13) / 3)
@@ -154,7 +115,7 @@ pub static PLASTER: Tile = mipmap!(|x, y| {
     }
 });
 
-pub static HEDGE: Tile = mipmap!(|x, y| {
+pub static HEDGE: Tile = tile!(|x, y| {
     let leaf = noise(x, y, 1, 6, 15);
     shaded(
         [64, 118, 58],
@@ -162,7 +123,7 @@ pub static HEDGE: Tile = mipmap!(|x, y| {
     )
 });
 
-pub static WATER: Tile = mipmap!(|x, y| {
+pub static WATER: Tile = tile!(|x, y| {
     let wave = noise(x, y, 4, 6, 18) + noise((x + y) % 64, y, 3, 6, 19);
     let crest = wave.abs_diff(255) / 2;
     let light = 30_u32.saturating_sub(crest);
@@ -170,7 +131,7 @@ pub static WATER: Tile = mipmap!(|x, y| {
 });
 
 /// A roof of slates.
-pub static SLATE: Tile = mipmap!(|x, y| {
+pub static SLATE: Tile = tile!(|x, y| {
     let (row, down) = (y / 8, y % 8);
     let along = (x + row % 2 * 4) % 8;
     let slate = hash((x + row % 2 * 4) / 8 % 8, row, 31) / 3;
@@ -270,18 +231,33 @@ pub static BUSH: [[Argb1555; 32]; 32] = plant!(32 x 32, [92, 120, 74], |x, y| {
     }
 });
 
-/// Light that fades from the middle to the edge.
-pub static GLOW: [[Gray8; 64]; 64] = {
-    let mut texels = [[Gray8::new(0); 64]; 64];
-    let mut at = 0_usize;
-    while at < 64 * 64 {
-        let (x, y) = ((2 * (at % 64)).abs_diff(63), (2 * (at / 64)).abs_diff(63));
-        let inside = 3969_usize.saturating_sub(x * x + y * y);
-        texels[at / 64][at % 64] = Gray8::new((inside * inside / 61_776) as u8);
+type Glow = [[Rgb565; 32]; 32];
+
+/// Light that fades from the middle to the edge. The color is that of the middle. A lamp is much brighter in its core.
+const fn glow([r, g, b]: [u32; 3], has_core: bool) -> Glow {
+    let mut texels = [[Rgb565::new(0, 0, 0); 32]; 32];
+    let mut at = 0_u32;
+    while at < 32 * 32 {
+        let (x, y) = ((2 * (at % 32)).abs_diff(31), (2 * (at / 32)).abs_diff(31));
+        let square = x * x + y * y;
+        let light = fading(square) + if has_core { fading(3 * square) } else { 0 };
+        let [r, g, b] = [(r * light) >> 16, (g * light) >> 16, (b * light) >> 16];
+        texels[at as usize / 32][at as usize % 32] = Rgb565::new(r as u8, g as u8, b as u8);
         at += 1;
     }
     texels
-};
+}
+
+/// The light at the square of a distance, of which the edge has 31²: from 0 to 2^16.
+const fn fading(square: u32) -> u32 {
+    let inside = 961_u32.saturating_sub(square);
+    inside * inside / 14
+}
+
+pub static GLOW: Glow = glow([15, 18, 5], false);
+pub static LAMPLIGHT: Glow = glow([15, 19, 6], true);
+/// The light around the moon.
+pub static HALO: Glow = glow([7, 15, 10], false);
 
 /// The moon, with its seas.
 pub static MOON: [[Argb1555; 32]; 32] = plant!(32 x 32, [236, 230, 214], |x, y| {

@@ -5,7 +5,7 @@ use fixel::prelude::*;
 
 use crate::{Board, Model};
 
-/// The cycles that a Pico takes, fitted to the cycles of emulated Picos: for a frame; for the draw calls of a part, for a
+/// The cycles that a Pico takes on one core, fitted to the cycles of emulated Picos: for a frame; for the draw calls of a part, for a
 /// triangle and for the light of a vertex, in all bands of the frame; for a pixel; and in addition for a texel, and for
 /// the triangles and pixels of surfaces that are [`Painted`](crate::Painted).
 const FRAME: f64 = 1.58e6;
@@ -21,6 +21,8 @@ const CLOCK_2: f64 = 150e6;
 /// How many times faster a Pico 2 is: it takes 0.39 instructions for a cycle of a Pico, about 1.3 cycles of its own for an
 /// instruction, and has 150 million cycles in a second.
 const PICO2: f64 = 2.4;
+/// How many times faster both cores of a Pico are than one. (On a Pico 2, the program runs on one core.)
+const CORES: f64 = 1.65;
 /// The number of the frames in which pixels are counted, and the time between two of them.
 const VIEWS: usize = 4;
 const STEP_MS: usize = 2500;
@@ -61,7 +63,7 @@ pub fn rate(model: &Model<'_>, board: Board) -> Result<f64, Error> {
         cycles += sides * CALL + share * covered * (PIXEL + texel + pixel);
     }
     let (clock, speed) = match board {
-        Board::Pico => (CLOCK, 1.0),
+        Board::Pico => (CLOCK, CORES),
         Board::Pico2 => (CLOCK_2, PICO2),
     };
     // The bus has the processor's clock, divided by an even number.

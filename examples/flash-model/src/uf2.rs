@@ -11,6 +11,8 @@ use crate::Board;
 
 /// The address of the first byte of flash, which is the first byte of the firmware.
 const FLASH: u32 = 0x1000_0000;
+/// The address of the model.
+const MODEL: u32 = crate::ADDRESS;
 /// The number of bytes of flash that are erased together. A Pico's boot loader needs data for all of these bytes
 /// (RP2040-E14 in its data sheet).
 const SECTOR: usize = 4096;
@@ -60,21 +62,26 @@ impl Board {
 ///
 /// As for [`uf2`].
 pub fn board(firmware: &[u8]) -> Result<Board, String> {
-    Ok(Board::of(&image(firmware)?))
+    Ok(Board::of(&image(firmware, MODEL)?))
 }
 
 /// Makes a UF2 file from the firmware and the words of a model. The firmware is an ELF file or a UF2 file. If that UF2
-/// file contains a model, it is left out.
+/// file contains a model, it is left out. Without a model, all of a Pico's flash is the firmware's.
 ///
 /// # Errors
 ///
 /// The firmware is neither an ELF file nor a UF2 file, or does not lie in flash below the model.
 pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
-    let firmware = image(firmware)?;
+    let end = if model.is_empty() {
+        Board::Pico.flash().end
+    } else {
+        MODEL
+    };
+    let firmware = image(firmware, end)?;
     let family = Board::of(&firmware).family();
     let model: Vec<u8> = model.iter().flat_map(|word| word.to_le_bytes()).collect();
     let mut pages: Vec<(u32, [u8; PAYLOAD])> = Vec::new();
-    for (start, bytes) in [(FLASH, firmware), (crate::ADDRESS, model)] {
+    for (start, bytes) in [(FLASH, firmware), (MODEL, model)] {
         let mut bytes = bytes;
         bytes.resize(bytes.len().next_multiple_of(SECTOR), 0xff);
         let pages_of = bytes.as_chunks().0.iter().copied();
@@ -95,11 +102,11 @@ pub fn uf2(firmware: &[u8], model: &[u32]) -> Result<Vec<u8>, String> {
     Ok(blocks.collect())
 }
 
-/// Returns the bytes that an ELF file or a UF2 file puts into flash below the model, beginning with the first byte of
-/// flash.
-fn image(file: &[u8]) -> Result<Vec<u8>, String> {
+/// Returns the bytes that an ELF file, or a UF2 file below the model, puts into flash below `end`, beginning with the
+/// first byte of flash.
+fn image(file: &[u8], end_of_flash: u32) -> Result<Vec<u8>, String> {
     if file.starts_with(&START[0].to_le_bytes()) {
-        let mut image = region(file, FLASH..crate::ADDRESS);
+        let mut image = region(file, FLASH..MODEL);
         let last = image.iter().rposition(|&byte| byte != 0xff);
         image.truncate(last.ok_or("firmware: the UF2 has none")? + 1);
         return Ok(image);
@@ -115,7 +122,7 @@ fn image(file: &[u8]) -> Result<Vec<u8>, String> {
         let bytes = file.segment_data(&segment).map_err(say)?;
         let start = segment.p_paddr.checked_sub(FLASH.into());
         let end = start.and_then(|start| start.checked_add(segment.p_filesz));
-        let room = u64::from(crate::ADDRESS - FLASH);
+        let room = u64::from(end_of_flash - FLASH);
         let (Some(start), Some(end)) = (start, end.filter(|&end| end <= room)) else {
             let address = segment.p_paddr;
             return Err(format!(
@@ -123,7 +130,7 @@ fn image(file: &[u8]) -> Result<Vec<u8>, String> {
                 bytes.len()
             ));
         };
-        // Both numbers are at most 256 KiB, so they fit into a `usize`.
+        // Both numbers are at most 2 MiB, so they fit into a `usize`.
         let [start, end] = [start, end].map(|at| usize::try_from(at).unwrap_or(0));
         image.resize(image.len().max(end), 0xff);
         image[start..end].copy_from_slice(bytes);

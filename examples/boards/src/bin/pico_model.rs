@@ -1,5 +1,5 @@
 //! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on the module
-//! that the model names. The playground and `--example model` put both into one UF2.
+//! that the model names. A Pico draws with both cores. The playground and `--example model` put both into one UF2.
 #![no_std]
 #![no_main]
 
@@ -7,13 +7,12 @@ use core::panic::PanicInfo;
 
 use boards::led;
 use boards::model::Scene;
-use boards::panel::widen;
-use boards::pico::{PIXELS, hal, report, rows_for};
-use boards::queue::{begin, free, send, set_pattern, start_with};
+use boards::pico::{PIXELS, hal, report};
+use boards::queue::{animate_with_depth, set_pattern, start_with};
 use cortex_m::singleton;
-use embedded_graphics::pixelcolor::Rgb565;
-use fixel::canvas::{Canvas, Words};
 use flash_model::{ADDRESS, Board, Module};
+#[cfg(feature = "pico")]
+use hal::multicore::{Multicore, Stack};
 
 /// The flash behind the program.
 fn flash() -> &'static [u32] {
@@ -29,33 +28,36 @@ fn flash() -> &'static [u32] {
     }
 }
 
+/// The stack of core 1, in words of four bytes: half as much again as was measured.
+#[cfg(feature = "pico")]
+static STACK: Stack<3584> = Stack::new();
+
 #[hal::entry]
 fn main() -> ! {
     let words = flash();
-    let scene = Scene::new(words).unwrap();
+    let scene: &Scene<'_> = singleton!(: Scene<'static> = Scene::new(words).unwrap()).unwrap();
     let module = Module::wanted(words);
-    let ((width, height), rows) = (module.size(), rows_for(&module));
-    let pixels = (width * rows) as usize;
     let board = start_with(&module).unwrap();
     if !scene.has_model() {
         set_pattern(led::NO_MODEL);
     }
+    let timer = board.timer;
+    let draw = move |depths: &mut [u16]| -> ! {
+        animate_with_depth(&module, timer, depths, |now_ms, band| {
+            scene.draw(now_ms, band);
+            Ok(())
+        })
+    };
     let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
-    let mut frame = 0_u32;
-    loop {
-        let now_ms = begin(frame, board.timer);
-        for number in 0..height / rows {
-            let band = free();
-            let canvas =
-                Canvas::<Rgb565, Words>::band(&mut band[..pixels], width, height, number * rows);
-            scene.draw(now_ms, canvas.unwrap(), depths).unwrap();
-            if module.bytes_of_pixel() == 3 {
-                widen(band);
-            }
-            send((frame, number), band);
-        }
-        frame = frame.wrapping_add(1);
+    #[cfg(feature = "pico")]
+    {
+        let mut board = board;
+        let there = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
+        let mut cores = Multicore::new(&mut board.psm, &mut board.ppb, &mut board.fifo);
+        let stack = STACK.take().unwrap();
+        cores.cores()[1].spawn(stack, move || draw(there)).unwrap();
     }
+    draw(depths)
 }
 
 /// Shows the panic on the display and by the LED.

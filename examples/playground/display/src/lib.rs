@@ -71,8 +71,10 @@ pub extern "C" fn draw(now_ms: u32) -> *const u32 {
         let pixels = width.saturating_mul(height) as usize;
         // The canvas refuses memory that is too short.
         let colors = memory.colors.get_mut(..pixels).unwrap_or_default();
-        let canvas = Canvas::new(colors, width, height)?;
-        scene.draw(now_ms.into(), canvas, &mut memory.depths)
+        let depths = memory.depths.get_mut(..pixels).unwrap_or_default();
+        let mut canvas = Canvas::new(colors, width, height)?.with_depth(depths)?;
+        scene.draw(now_ms.into(), &mut canvas);
+        Ok(())
     });
     if drawn.is_err() {
         return core::ptr::null();
