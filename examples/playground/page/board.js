@@ -23,7 +23,7 @@ async function fetchedFile(name) {
 const names = () =>
   $("own").selected ? own.map(({ name }) => name) : $("model").selectedOptions[0].dataset.files.split(" ");
 
-/** Makes a file of the chosen model and a board's program; also returns the model's words, its name, its cost, and notes. */
+/** Makes a file of the chosen model and a board's program. Also returns the model's words, name and cost, and notes. */
 async function make(board) {
   const program = await fetched(board);
   const files = $("own").selected ? own : await Promise.all(names().map(fetchedFile));
@@ -108,10 +108,13 @@ function measure({ width, rgba, begun, lasts, bytes, cores }) {
   run.seconds += lasts;
   run.last = new ImageData(rgba, width);
   const { frames, same, seconds } = run;
-  const pixels = same === frames ? "the same pixels as the picture here" : `other pixels than the picture here in ${frames - same}`;
+  const count = cores === 1 ? "one core" : `${cores} cores`;
+  const pixels =
+    same === frames ? "the same pixels as the picture here" : `other pixels than the picture here in ${frames - same}`;
   $("emulated").textContent = [
-    `${short(frames / seconds)} frames a second on ${cores === 1 ? "one core" : `${cores} cores`}, with ${bytes.toLocaleString("en")} bytes on the bus for each.`,
-    `The emulated Pico has drawn ${frames} so far, with ${pixels}; the last was begun after ${(begun / 1000).toFixed(3)} seconds of its time.`,
+    `${short(frames / seconds)} frames a second on ${count}, with ${bytes.toLocaleString("en")} bytes on the bus for each.`,
+    `The emulated Pico has drawn ${frames} so far, with ${pixels};`,
+    `the last was begun after ${(begun / 1000).toFixed(3)} seconds of its time.`,
     "It waits for no flash: a real Pico is slower.",
   ].join(" ");
 }

@@ -15,7 +15,8 @@
 //! A part that does not exist is empty.
 //!
 //! For a board, the page first adds the board's program, then the files, and calls `flash`. Part 0 is then a UF2 of
-//! both, part 1 has the words of the model, part 2 says what the model costs on the board, and parts 3 to 5 are as above.
+//! both, part 1 has the words of the model, part 2 says what the model costs on the board, and parts 3 to 5 are as
+//! above.
 
 mod model;
 mod texture;
