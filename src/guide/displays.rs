@@ -16,10 +16,10 @@
 //! | [No tearing](#no-tearing) | ST7789, 240x240 | mipidsi 0.10 |
 //! | [Two frames](#two-frames) | ST7789, 240x240 | lcd-async 0.1, embassy-futures 0.1 |
 //!
-//! Without a program, the page says how many transactions [a driver's buffer](#a-drivers-buffer) costs, what
-//! [panels without memory](#panels-without-memory) need, and how a canvas becomes an image
-//! [inside another library](#inside-another-library). [Firmware](crate::guide::firmware) covers the whole chip: DMA, two
-//! cores, and Embassy and RTIC.
+//! Without a program, the page says how many transactions [a driver's buffer](#a-drivers-buffer) costs, what [panels
+//! without memory](#panels-without-memory) need, and how a canvas becomes an image [inside another
+//! library](#inside-another-library). [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and
+//! Embassy and RTIC.
 //!
 #![doc = page_picture!(# "A window of the frame", "displays/", "window")]
 //! Most of a dashboard does not move. So draw and send only a window around the object that moves.
@@ -32,8 +32,8 @@
 //! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
 //! coordinates of the window's corner must be multiples of 8. The program calls embedded-graphics' `translated` twice:
 //! `canvas.translated` places text by its position in the frame, and `display.translated` puts the window in its place
-//! on the display. The window must contain both the old and the new position of the moving object. This program uses the
-//! same window for all turns.
+//! on the display. The window must contain both the old and the new position of the moving object. This program uses
+//! the same window for all turns.
 //!
 #![cfg_attr(not(doctest), doc = program!("window"))]
 //!
@@ -41,14 +41,14 @@
 //! If only a needle moves, the library tells which pixels change:
 //! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) is a rectangle around a mesh. The program
 //! draws and sends the rectangle around the old and the new place of the needle (yellow). If the needle rests, the
-//! program does nothing. Between two readings, the processor sleeps: on a Cortex-M, `sleep` is `cortex_m::asm::wfi`, and
-//! the interrupt of a timer or of the sensor ends it. With Embassy, make `run` an `async` function, and wait for a
+//! program does nothing. Between two readings, the processor sleeps: on a Cortex-M, `sleep` is `cortex_m::asm::wfi`,
+//! and the interrupt of a timer or of the sensor ends it. With Embassy, make `run` an `async` function, and wait for a
 //! `Timer`: the executor sleeps meanwhile.
 //!
-//! If the needle goes around the dial in steps of 6 degrees, a step sends 7,411 of the frame's 115,200 bytes (mean). The
-//! table has the instructions on an emulated Cortex-M0+, and the time that a Pico is awake for them: at 125 MHz, with two
-//! cycles for an instruction, and without DMA at 62.5 MHz on the bus. At ten steps a second, the processor sleeps for more
-//! than nine tenths of the time.
+//! If the needle goes around the dial in steps of 6 degrees, a step sends 7,411 of the frame's 115,200 bytes (mean).
+//! The table has the instructions on an emulated Cortex-M0+, and the time that a Pico is awake for them: at 125 MHz,
+//! with two cycles for an instruction, and without DMA at 62.5 MHz on the bus. At ten steps a second, the processor
+//! sleeps for more than nine tenths of the time.
 //!
 //! <!-- figures: needle -->
 //! | | instructions | bytes sent | awake, ms |
@@ -122,8 +122,8 @@
 //!
 //! # A driver's buffer
 //!
-//! mipidsi collects the bytes of colors in a buffer that you give it. Each full buffer is a transaction: the driver takes
-//! the bus, selects the panel, and waits. lcd-async takes the bytes of a canvas as they are
+//! mipidsi collects the bytes of colors in a buffer that you give it. Each full buffer is a transaction: the driver
+//! takes the bus, selects the panel, and waits. lcd-async takes the bytes of a canvas as they are
 //! ([`as_bytes`](crate::Canvas::as_bytes)): each band is one transaction, after six for the commands. These are the
 //! transactions for a frame of 240x240 pixels in six bands:
 //!
@@ -136,9 +136,10 @@
 //!
 //! # Panels without memory
 //!
-//! A panel with an RGB interface has no memory: a controller on the chip (LTDC of an STM32, LCD_CAM of an ESP32-S3) reads
-//! the frame from RAM, 60 times a second. Such a frame is mostly in PSRAM or SDRAM. Draw each band in fast memory, with
-//! its depths, and copy it to its rows of the frame: then each pixel is written to the slow memory once. The function
+//! A panel with an RGB interface has no memory: a controller on the chip (LTDC of an STM32, LCD_CAM of an ESP32-S3)
+//! reads the frame from RAM, 60 times a second. Such a frame is mostly in PSRAM or SDRAM. Draw each band in fast
+//! memory, with its depths, and copy it to its rows of the frame: then each pixel is written to the slow memory once.
+//! The function
 //! `draw` of [Two frames](#two-frames) does this. In place of sending the frame, give its address to the controller,
 //! which takes it from the next refresh on; then draw into the other frame. The frame takes this much of the slow
 //! memory's time:
@@ -149,18 +150,18 @@
 //! | 480x272 | 255 | 15.7 | 7.8 |
 //! | 800x480 | 750 | 46.1 | 23.0 |
 //!
-//! PSRAM with four data lines at 80 MHz moves at most 40 MB/s. That is too little for 800x480 pixels at 60 Hz; eight data
-//! lines at both edges of the clock move four times as much. A processor with a data cache must write the cache back
-//! before the controller reads the frame.
+//! PSRAM with four data lines at 80 MHz moves at most 40 MB/s. That is too little for 800x480 pixels at 60 Hz; eight
+//! data lines at both edges of the clock move four times as much. A processor with a data cache must write the cache
+//! back before the controller reads the frame.
 //!
-//! A parallel panel with memory of its own (8080, with 8 or 16 data lines) is like one on SPI: send bands. Let the canvas
-//! store [`Words`](crate::canvas::Words) for 16 lines, and `BigEndian` bytes for 8.
+//! A parallel panel with memory of its own (8080, with 8 or 16 data lines) is like one on SPI: send bands. Let the
+//! canvas store [`Words`](crate::canvas::Words) for 16 lines, and `BigEndian` bytes for 8.
 //!
 //! # Inside another library
 //!
-//! A program whose menus and texts are drawn by another library shows the scene as an image in that library's tree. Draw
-//! on a canvas in the memory of the image, and then tell the library that the image has changed. A C or C++ program calls
-//! a function of yours that is `extern "C"`, and makes the canvas of the pointer that it gets.
+//! A program whose menus and texts are drawn by another library shows the scene as an image in that library's tree.
+//! Draw on a canvas in the memory of the image, and then tell the library that the image has changed. A C or C++
+//! program calls a function of yours that is `extern "C"`, and makes the canvas of the pointer that it gets.
 //!
 //! | library | its image | the canvas |
 //! |---|---|---|
