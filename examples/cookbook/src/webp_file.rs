@@ -13,7 +13,7 @@ use webp::{AnimEncoder, AnimFrame, WebPConfig};
 pub enum Quality {
     /// Each pixel.
     Exact,
-    /// What can be seen, twice as large. The animation of the garden would have 3.8 MB with each pixel.
+    /// What can be seen, twice as large: the animation of the garden would be several times as large with each pixel.
     Visible,
 }
 
@@ -31,7 +31,7 @@ pub fn save(
             1
         }
         Quality::Visible => {
-            (config.use_sharp_yuv, config.quality) = (1, 30.);
+            (config.use_sharp_yuv, config.quality) = (1, 12.);
             config.method = 6; // the slowest, for the smallest file
             2
         }
