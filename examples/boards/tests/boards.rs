@@ -548,7 +548,9 @@ mod model {
                 (pico / wanted - 1.0).abs() < 0.25,
                 "{name}: {pico} {wanted}"
             );
-            assert!(pico2 > 1.25 * pico, "{pico2}");
+            // A Pico 2 is faster, unless its bus limits it: at a quarter of 150 MHz, 16 bits a pixel.
+            let bus = 150e6 / 4.0 / f64::from(16 * 240 * 240);
+            assert!(pico2 > (1.25 * pico).min(0.99 * bus), "{pico2}");
         }
     }
 

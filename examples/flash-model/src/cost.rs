@@ -5,9 +5,9 @@ use fixel::prelude::*;
 
 use crate::{Board, Model};
 
-/// The cycles that a Pico takes on one core, fitted to the cycles of emulated Picos: for a frame; for the draw calls of a part, for a
-/// triangle and for the light of a vertex, in all bands of the frame; for a pixel; and in addition for a texel, and for
-/// the triangles and pixels of surfaces that are [`Painted`](crate::Painted).
+/// The cycles that a Pico takes on one core, fitted to the cycles of emulated Picos: for a frame; for the draw calls of a
+/// part, for a triangle and for the light of a vertex, in all bands of the frame; for a pixel; and in addition for a
+/// texel, and for the triangles and pixels of surfaces that are [`Painted`](crate::Painted).
 const FRAME: f64 = 1.58e6;
 const CALL: f64 = 1.5e5;
 const TRIANGLE: f64 = 1270.0;
