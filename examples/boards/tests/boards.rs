@@ -503,6 +503,61 @@ mod model {
         }
     }
 
+    /// A deep jug, open at its top: from above, one sees the backs of its upper rows of faces.
+    fn jug() -> String {
+        let (mut jug, slices, rows) = (String::new(), 24, 16);
+        for row in 0..=rows {
+            for slice in 0..slices {
+                let angle = f64::from(slice) / f64::from(slices) * std::f64::consts::TAU;
+                let (x, z, y) = (angle.sin(), angle.cos(), 2.0 - f64::from(row) * 0.25);
+                writeln!(jug, "v {x} {y} {z}").unwrap();
+            }
+        }
+        for row in 0..rows {
+            for slice in 0..slices {
+                let at = |row: i32, slice: i32| 1 + row * slices + slice % slices;
+                let [a, b] = [at(row, slice), at(row, slice + 1)];
+                let [c, d] = [at(row + 1, slice), at(row + 1, slice + 1)];
+                writeln!(jug, "f {a} {c} {d} {b}").unwrap();
+            }
+        }
+        jug
+    }
+
+    /// Between the times at which the writer looks, too.
+    #[test]
+    fn backs_are_left_out_only_where_nobody_sees_them() {
+        let words = written(&jug(), "", "jug");
+        let model = Model::read(&words).unwrap();
+        let sides: Vec<_> = model
+            .parts()
+            .map(|part| (part.is_two_sided, part.faces.len()))
+            .collect();
+        let seen: usize = sides
+            .iter()
+            .filter(|(both, _)| *both)
+            .map(|(_, count)| count)
+            .sum();
+        let all = model.mesh().faces().len();
+        assert!(0 < seen && seen < all / 2, "{seen} of {all}");
+
+        let (size, mut missing) = ((240, 240), 0);
+        for now_ms in (0..10_000).step_by(77) {
+            let mut pixels = vec![Rgb565::BLACK; 240 * 240];
+            let mut canvas = Canvas::new(&mut pixels, 240, 240).unwrap();
+            let mvp = flash_model::view(size).unwrap() * flash_model::turn(now_ms);
+            let options = DrawOptions::new().with_cull(fixel::Cull::Nothing);
+            let options = options.with_mode(fixel::mode::Fast::within(fx!(0.25)));
+            canvas.draw_with(&options, &model.mesh(), &mvp, &Flat::new(Rgb565::WHITE));
+            let frame = bands(&words, 240, now_ms);
+            let pairs = pixels.iter().zip(&frame);
+            missing += pairs
+                .filter(|(all, shown)| **all == Rgb565::WHITE && **shown == frame[0])
+                .count();
+        }
+        assert_eq!(missing, 0);
+    }
+
     #[test]
     fn holes_show_what_is_behind() {
         let all = written(SAIL, "newmtl a\nKd 1 0 0\n", "all");
