@@ -137,7 +137,7 @@ fn groups(model: &Model<'_>) -> (Vec<Bounds, GROUPS>, usize) {
     let group = FACES.max(mesh.faces().len().div_ceil(GROUPS));
     let boxes = mesh.faces().chunks(group).map(|faces| {
         let corners = faces.as_flattened().iter().map(|&at| usize::from(at));
-        let mut points = corners.flat_map(|at| mesh.positions().get(at));
+        let mut points = corners.filter_map(|at| mesh.positions().get(at));
         let first = points.next().unwrap_or_default();
         points.fold(Bounds::new(first, first), Bounds::with)
     });
