@@ -12,7 +12,7 @@ pub const PANIC: u16 = 0b10101;
 /// The time of a bit. The first bit of a pattern is its lowest.
 pub const STEP_MS: u32 = 200;
 
-/// Switches the LED on or off, as the pattern has it at a time.
+/// Switches the LED on or off: to the bit of the pattern whose time is `now_ms`.
 pub fn show(led: &mut impl OutputPin, pattern: u16, now_ms: u64) {
     let step = now_ms / u64::from(STEP_MS) % u64::from(u16::BITS);
     // The pins of these chips return no errors.

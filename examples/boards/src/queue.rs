@@ -142,8 +142,8 @@ pub fn set_pattern(pattern: u16) {
     });
 }
 
-/// Draws bands of a module's frames for ever, with depths: on each core, the next band that no core draws yet. `draw` gets
-/// the time of the frame, the band and the depths.
+/// Draws bands of a module's frames for ever, with depths: on each core, the next band that no core draws yet. `draw`
+/// gets the time of the frame, and the band.
 ///
 /// # Panics
 ///

@@ -1,4 +1,4 @@
-//! Draws the wires from a Pico to each kind of module for flash.md. The pins are those of the modules' records.
+//! Draws the pictures of flash.md: the wires from a Pico to each kind of module, with the pins of the modules' records.
 //!
 //! `FIXEL_RENEW=1 cargo test --test wiring` writes the drawings.
 
@@ -16,7 +16,7 @@ const HEIGHT: i32 = 372;
 const FIRST_PIN: i32 = 40;
 const PICO_PITCH: i32 = 16;
 
-/// A wire: the color, and what it is called on the Pico.
+/// A wire: its color, and the name and number of its pin on the Pico.
 struct Wire {
     color: &'static str,
     name: String,

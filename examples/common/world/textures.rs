@@ -233,7 +233,7 @@ pub static BUSH: [[Argb1555; 32]; 32] = plant!(32 x 32, [92, 120, 74], |x, y| {
 
 type Glow = [[Rgb565; 32]; 32];
 
-/// Light that fades from the middle to the edge. The color is that of the middle. A lamp is much brighter in its core.
+/// A glow: in its middle, it has this color, and it fades toward its edge. The core of a lamp is much brighter.
 const fn glow([r, g, b]: [u32; 3], has_core: bool) -> Glow {
     let mut texels = [[Rgb565::new(0, 0, 0); 32]; 32];
     let mut at = 0_u32;

@@ -37,7 +37,7 @@ fn the_writer_says_what_the_other_readers_say() {
     }
 }
 
-/// The writer draws the model to find what is seen, and a board draws hidden faces, too.
+/// Hidden faces take time, too: on a board, and when the writer looks for the backs that are seen.
 #[test]
 fn faces_that_cover_the_picture_too_often_are_refused() {
     for (count, is_refused) in [(100, false), (20_000, true)] {

@@ -13,7 +13,7 @@ use crate::scene::{Moment, Scene};
 /// The largest side of the small pictures that are drawn only to count colors.
 const SMALL: u32 = 256;
 /// The most frames in which the layers of faces are counted, and the most layers. Models that people draw have a few. With
-/// so many, a picture of 320x240 pixels takes about a fifth of a second.
+/// 200 layers, a picture of 320x240 pixels takes about a fifth of a second.
 const VIEWS: u32 = 4;
 const MOST_LAYERS: u64 = 200;
 

@@ -1,5 +1,5 @@
-//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) and an ST7789. Someone walks through a garden at dusk. A Pico draws with
-//! both cores.
+//! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) and an ST7789. Someone walks through a garden at dusk. A Pico draws
+//! with both cores.
 #![no_std]
 #![no_main]
 

@@ -60,8 +60,8 @@ pub extern "C" fn height() -> u32 {
     Module::wanted(&MEMORY.lock().words).size().1
 }
 
-/// Draws what a board shows that has begun the frame after so many milliseconds. Returns the pixels in bytes of red,
-/// green, blue and opacity; null if the display is too large.
+/// Draws the frame that a board begins `now_ms` milliseconds after its start. Returns the pixels in bytes of red, green,
+/// blue and opacity; null if the display is too large.
 #[allow(unsafe_code)] // promises that no other symbol has this name
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(now_ms: u32) -> *const u32 {
