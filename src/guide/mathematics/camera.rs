@@ -1,6 +1,6 @@
 //! The camera: from world space to eye space.
 //!
-//! The [first page](crate::guide::mathematics) names the axes.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point.
 //!
 //! # A camera
 //!

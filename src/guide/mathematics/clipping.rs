@@ -1,6 +1,7 @@
 //! Clipping: what happens to an edge that reaches behind the near plane.
 //!
-//! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point, and defines the
+//! letters *n* and *f*.
 //!
 //! # A clip
 //!
@@ -80,6 +81,6 @@
 //! edge, never on the third corner of a triangle.
 //!
 //! Tests: `accuracy/formulas/clipping.rs`; clipped meshes without cracks in `accuracy/clipping.rs`, clipped attributes
-//! in `accuracy/clipped_values.rs`. Beside the code: shared edges in `src/pipeline/clip.rs`.
+//! in `accuracy/clipped_values.rs`. Unit tests: shared edges in `src/pipeline/clip.rs`.
 //!
 //! Next page: [Lines](crate::guide::mathematics::lines#lines).

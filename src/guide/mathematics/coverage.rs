@@ -72,6 +72,6 @@
 //! 1/256. The slope is rounded down to 1/256, which changes a share by at most an eighth of 1/256. The share of a
 //! corner is rounded down once more.
 //!
-//! Tests: `accuracy/smooth_edges.rs`; pairs of pixels in `src/raster/straddle.rs`.
+//! Tests: `accuracy/smooth_edges.rs`. Unit tests: pairs of pixels in `src/raster/straddle.rs`.
 //!
 //! Next page: [A normal](crate::guide::mathematics::light#a-normal).

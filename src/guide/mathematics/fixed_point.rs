@@ -36,7 +36,7 @@
 #![doc = formula!({prime(r) = r (2 - Q r) = r (1 + e)} {1 - Q prime(r) = 1 - (1 - e) (1 + e) = e^2})]
 //!
 //! From one pixel to the next, *Q* changes by a small fraction δ of its value. The reciprocal at the previous pixel is
-//! a guess with an error of δ, and one step (two products) reduces the error to δ². The mode
+//! a guess with a relative error of δ, and one step (two products) reduces the error to δ². The mode
 //! [`Newton`](crate::mode::Newton) takes its guess from the line through the previous two reciprocals instead. This
 //! guess has an error of about 2δ², and the step reduces the error to 4δ⁴.
 //!
@@ -80,7 +80,8 @@
 //! assert!(0.9 * bound < error && error < bound, "{error} of {bound}");
 //! ```
 //!
-//! [Choosing a mode](crate::guide::modes#the-interpolants-and-their-rounding) adds up the rounding errors of each mode.
+//! The page [Choosing a mode](crate::guide::modes#the-interpolants-and-their-rounding) adds up the rounding errors of
+//! each mode.
 //!
-//! Tests, beside the code: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide/divide.rs`,
-//! pieces in `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
+//! Unit tests: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide/divide.rs`, pieces in
+//! `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.

@@ -1,6 +1,7 @@
 //! Lines in perspective: where parallel lines meet, how equal steps shrink, and what lies halfway.
 //!
-//! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point, and defines the
+//! letters *n* and *f*.
 //!
 //! # Lines
 //!

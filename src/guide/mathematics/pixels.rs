@@ -1,6 +1,7 @@
 //! Pixels: attributes with one reciprocal per pixel, the depth that a pixel stores, and the mip level that it shows.
 //!
-//! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point, and defines the
+//! letters *n* and *f*.
 //!
 //! # An attribute
 //!

@@ -1,6 +1,7 @@
 //! Projection: where a point of the scene lands on the screen, by similar triangles, by a matrix, and in pixels.
 //!
-//! The [first page](crate::guide::mathematics) names the axes and the letters *n* and *f*.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point, and defines the
+//! letters *n* and *f*.
 //!
 //! # A point
 //!

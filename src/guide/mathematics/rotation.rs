@@ -1,6 +1,6 @@
 //! Rotation: turns about any axis, quaternions, and turns that do not drift.
 //!
-//! The [first page](crate::guide::mathematics) names the axes.
+//! The [first page](crate::guide::mathematics) of this chapter says where the axes x, y and z point.
 //!
 //! # A turn
 //!

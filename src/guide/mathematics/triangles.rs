@@ -10,8 +10,9 @@
 #![doc = formula!({E[a b] (p) = (b[x] - a[x]) (p[y] - a[y]) - (b[y] - a[y]) (p[x] - a[x])})]
 //!
 //! This is the cross product of *b* − *a* and *p* − *a*: the length of the edge times the distance of *p* from the
-//! line, with a sign. On the line it is zero. It is positive on the right-hand side of someone who walks from *a* to
-//! *b*. In the other direction, from *b* to *a*, left and right are exchanged, and the function has the opposite sign.
+//! line, with a sign. On the line, the function is zero. It is positive on the right-hand side of someone who walks
+//! from *a* to *b*. In the other direction, from *b* to *a*, left and right are exchanged, and the function has the
+//! opposite sign.
 //!
 //! An edge function is linear in *p*: one column to the right, it grows by the y of *a* minus the y of *b*; one row
 //! down, it grows by the x of *b* minus the x of *a*.
@@ -101,7 +102,7 @@
 //! edge's height as its divisor. The crate divides once for each edge. It then adds the quotient and the remainder in
 //! each row, so the positions remain exact.
 //!
-//! Tests: `accuracy/formulas/coverage.rs`; all kinds of meshes in `accuracy/coverage.rs`. Beside the code: edges in
-//! `src/raster/edge.rs`, pictures in `src/raster/triangle.rs`.
+//! Tests: `accuracy/formulas/coverage.rs`; all kinds of meshes in `accuracy/coverage.rs`. Unit tests: edges in
+//! `src/raster/edge.rs`, whole triangles in `src/raster/triangle.rs`.
 //!
 //! Next page: [A share](crate::guide::mathematics::coverage#a-share).
