@@ -51,7 +51,7 @@
 //!
 //! # Numbers
 //!
-//! Drawing uses no floats. Write numbers in macros, and the compiler converts them to fixed point:
+//! Drawing uses no floats. Write numbers with these macros, and the compiler converts them to fixed point:
 //!
 //! | you write | you get | range, resolution |
 //! |---|---|---|
@@ -95,9 +95,9 @@
 //!
 //! # Mesh
 //!
-//! A [`Mesh`](crate::Mesh) borrows positions, faces (three positions for each triangle), and optionally texture
-//! coordinates, normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so the mesh is in
-//! flash. A `static` mesh of your own slices is in flash, too:
+//! A [`Mesh`](crate::Mesh) borrows positions, faces (the indices of three positions for each triangle), and optionally
+//! texture coordinates, normals, colors and edges. `shape!` and `include_mesh!` make a mesh at compile time, so the
+//! mesh is in flash. A `static` mesh of your own slices is in flash, too:
 //!
 //! ```
 //! use fixel::prelude::*;

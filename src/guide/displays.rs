@@ -16,8 +16,8 @@
 //! | [No tearing](#no-tearing) | ST7789, 240x240 | mipidsi 0.10 |
 //! | [Two frames](#two-frames) | ST7789, 240x240 | lcd-async 0.1, embassy-futures 0.1 |
 //!
-//! Without a program, the page says how many transactions [a driver's buffer](#a-drivers-buffer) costs, what [panels
-//! without memory](#panels-without-memory) need, and how a canvas becomes an image [inside another
+//! The last three sections have no program. They say how many transactions [a driver's buffer](#a-drivers-buffer)
+//! costs, what [panels without memory](#panels-without-memory) need, and how a canvas becomes an image [inside another
 //! library](#inside-another-library). [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and
 //! Embassy and RTIC.
 //!
@@ -38,12 +38,12 @@
 #![cfg_attr(not(doctest), doc = program!("window"))]
 //!
 #![doc = page_picture!(# "A needle over a still dial", "displays/", "needle")]
-//! If only a needle moves, the library tells which pixels change:
+//! If only a needle moves, fixel tells you which pixels can change:
 //! [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) is a rectangle around a mesh. The program
-//! draws and sends the rectangle around the old and the new place of the needle (yellow). If the needle rests, the
-//! program does nothing. Between two readings, the processor sleeps: on a Cortex-M, `sleep` is `cortex_m::asm::wfi`,
-//! and the interrupt of a timer or of the sensor ends it. With Embassy, make `run` an `async` function, and wait for a
-//! `Timer`: the executor sleeps meanwhile.
+//! draws and sends the rectangle around the old and the new place of the needle (yellow). If the needle has not moved,
+//! the program does nothing. Between two readings, the processor sleeps: on a Cortex-M, `sleep` is
+//! `cortex_m::asm::wfi`, and the interrupt of a timer or of the sensor wakes the processor. With Embassy, make `run` an
+//! `async` function, and wait for a `Timer`: the executor sleeps meanwhile.
 //!
 //! If the needle goes around the dial in steps of 6 degrees, a step sends 7,411 of the frame's 115,200 bytes (mean).
 //! The table has the instructions on an emulated Cortex-M0+, and the time that a Pico is awake for them: at 125 MHz,
@@ -60,9 +60,9 @@
 #![cfg_attr(not(doctest), doc = program!("needle"))]
 //!
 #![doc = page_picture!(# "A round panel", "displays/", "round")]
-//! A round panel does not show the corners of the frame, which are a fifth of the frame. With bands of 16 rows, each as
-//! wide as the circle in these rows (on the right in the picture), 15 % of the pixels are neither drawn nor sent. Bands
-//! of fewer rows leave out more pixels, but transform the mesh more often.
+//! A round panel does not show the corners of the frame, which are a fifth of the frame. Let each band have 16 rows,
+//! and be as wide as the circle in these rows (on the right in the picture). Then 15 % of the pixels are neither drawn
+//! nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![cfg_attr(not(doctest), doc = program!("round"))]
 //!
@@ -137,12 +137,11 @@
 //! # Panels without memory
 //!
 //! A panel with an RGB interface has no memory: a controller on the chip (LTDC of an STM32, LCD_CAM of an ESP32-S3)
-//! reads the frame from RAM, 60 times a second. Such a frame is mostly in PSRAM or SDRAM. Draw each band in fast
-//! memory, with its depths, and copy it to its rows of the frame: then each pixel is written to the slow memory once.
-//! The function
-//! `draw` of [Two frames](#two-frames) does this. In place of sending the frame, give its address to the controller,
-//! which takes it from the next refresh on; then draw into the other frame. The frame takes this much of the slow
-//! memory's time:
+//! reads the frame from RAM, 60 times a second. The frame is usually in PSRAM or SDRAM. Draw each band in fast memory,
+//! with its depths, and copy the band to its rows of the frame: then each pixel is written to the slow memory once. The
+//! function `draw` of [Two frames](#two-frames) does this. In place of sending the frame, give its address to the
+//! controller, which shows this frame from the next refresh on; then draw into the other frame. The table gives the
+//! data rates that the frame needs from the slow memory:
 //!
 //! | pixels | a frame, KiB | read for 60 refreshes, MB/s | written for 30 frames, MB/s |
 //! |---|---:|---:|---:|
@@ -160,8 +159,9 @@
 //! # Inside another library
 //!
 //! A program whose menus and texts are drawn by another library shows the scene as an image in that library's tree.
-//! Draw on a canvas in the memory of the image, and then tell the library that the image has changed. A C or C++
-//! program calls a function of yours that is `extern "C"`, and makes the canvas of the pointer that it gets.
+//! Draw on a canvas in the memory of the image, and then tell the library that the image has changed. If the program is
+//! in C or C++, it calls a Rust function of yours that is `extern "C"`, and passes it a pointer to that memory. Your
+//! function makes the canvas from the pointer.
 //!
 //! | library | its image | the canvas |
 //! |---|---|---|
