@@ -1,7 +1,7 @@
 //! Formulas of perspective as textbooks write them, for learning, tests and preparation.
 //!
-//! Drawing does not use this module: it computes the same numbers in a faster way, and a program that names nothing
-//! here does not contain it. [Mathematics](crate::guide::mathematics) derives the formulas.
+//! Drawing does not use this module, because it computes the same numbers in a faster way. A program that does not use
+//! the module does not contain its code. [Mathematics](crate::guide::mathematics) derives the formulas.
 //!
 //! | formula | in the guide |
 //! |---|---|
@@ -16,9 +16,9 @@ use crate::num::{Fraction, Scalar};
 ///
 #[cfg_attr(doc, doc = include_str!("guide/diagrams/foreshortening.svg"))]
 ///
-/// A distance is −z in eye space, or the homogeneous coordinate w. Halfway along the segment's picture is not halfway
-/// along the segment, because 1/w and every attribute divided by w are linear on the screen.
-/// [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
+/// A distance is −z in eye space, or the homogeneous coordinate w. The middle of the segment's picture does not show
+/// the middle of the segment. On the screen, 1/w and a/w are linear for every attribute a, but w and a themselves are
+/// not. [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
 ///
 /// Fractions run from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
 ///
@@ -72,7 +72,8 @@ impl Segment {
         ((ONE - q) * bits(self.end), q * bits(self.start))
     }
 
-    /// Returns the distance at a fraction q of the picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀).
+    /// Returns the distance w at a fraction q of the segment's picture: 1/w = 1/w₀ + q·(1/w₁ − 1/w₀), where w₀ and w₁
+    /// are the distances of the start and the end.
     ///
     /// `None` if the distance is out of range, or if the line of sight does not meet the segment's line ahead of the
     /// eye. The second case happens only for fractions below 0 or above 1.
@@ -82,20 +83,21 @@ impl Segment {
         divide(bits(self.start) * bits(self.end) * ONE, a + b).map(Scalar::from_bits)
     }
 
-    /// Converts q, a fraction of the way along the picture, to t, the fraction of the way along the segment: t = q·w₀ /
-    /// (w₁ − q·(w₁ − w₀)).
+    /// Converts q, a fraction of the way along the segment's picture, to t, the fraction of the way along the segment
+    /// in space: t = q·w₀ / (w₁ − q·(w₁ − w₀)), where w₀ and w₁ are the distances of the start and the end.
     ///
-    /// Returns `None` in the same cases as [`distance`](Self::distance).
+    /// `None` if the fraction is out of range, or if the line of sight does not meet the segment's line ahead of the
+    /// eye.
     #[must_use]
     pub fn in_space(self, on_screen: Fraction) -> Option<Fraction> {
         let (a, b) = self.weights(on_screen);
         divide(b * ONE, a + b).map(Fraction::from_bits)
     }
 
-    /// Converts t, a fraction of the way along the segment, to q, the fraction of the way along the picture: q = t·w₁ /
-    /// (w₀ + t·(w₁ − w₀)).
+    /// Converts t, a fraction of the way along the segment in space, to q, the fraction of the way along the segment's
+    /// picture: q = t·w₁ / (w₀ + t·(w₁ − w₀)), where w₀ and w₁ are the distances of the start and the end.
     ///
-    /// Returns `None` in the same cases as [`distance`](Self::distance).
+    /// `None` if the point is not ahead of the eye, or if the fraction of the picture is out of range.
     #[must_use]
     pub fn on_screen(self, in_space: Fraction) -> Option<Fraction> {
         // The inverse is the same formula with the distances exchanged.
@@ -106,10 +108,10 @@ impl Segment {
         swapped.in_space(in_space)
     }
 
-    /// Interpolates an attribute, `a` at the start and `b` at the end, at a fraction q of the picture:
-    /// lerp(a/w₀, b/w₁, q) / lerp(1/w₀, 1/w₁, q).
+    /// Interpolates an attribute that is `a` at the start and `b` at the end, at a fraction q of the segment's picture:
+    /// lerp(a/w₀, b/w₁, q) / lerp(1/w₀, 1/w₁, q), where w₀ and w₁ are the distances of the start and the end.
     ///
-    /// Returns `None` in the same cases as [`distance`](Self::distance).
+    /// `None` if the result is out of range, or if the line of sight does not meet the segment's line ahead of the eye.
     #[must_use]
     pub fn attribute(self, a: Scalar, b: Scalar, on_screen: Fraction) -> Option<Scalar> {
         let (at_start, at_end) = self.weights(on_screen);
@@ -117,11 +119,14 @@ impl Segment {
     }
 }
 
-/// Returns the velocity on the near plane of a point that moves through eye space along `point` + t ·
-/// `velocity`, rounded to nearest (half away from zero).
+/// Returns how fast the picture of a moving point moves on the near plane, at time `t`.
 ///
-/// The x component is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², with n = `near`; the y component is computed likewise. `None`
-/// if the point is not ahead of the eye at time t, or if a component is out of range.
+/// At time t, the point is at `point` + t · `velocity` in eye space. The result is rounded to nearest (half away from
+/// zero).
+///
+/// The x component is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², where n is `near`, P is `point`, and v is `velocity`. The y
+/// component is computed likewise. `None` if the point is not ahead of the eye at time t, or if a component is out of
+/// range.
 ///
 /// ```
 /// use fixel::textbook::speed;

@@ -7,8 +7,8 @@ use super::storage::Storage;
 
 /// Makes one gray black and a lighter gray white, and spreads the grays between them evenly.
 ///
-/// Displays with few grays need this change: for example, a scene of only dark grays would become noise in black and
-/// white. The default contrast changes no gray.
+/// Use it for displays with few grays. For example, a scene of only dark grays would become noise on a display that
+/// shows only black and white. The default contrast changes no gray.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -26,8 +26,8 @@ use crate::sealed::Sealed;
 /// | 1,000,000 | none | none | 0.049 % |
 ///
 /// Surfaces that are closer together than a step may have equal depths. The surface that is drawn later is then
-/// visible. Therefore, use [`LinearDepth`] up to a ratio of 500, [`FloatDepth`] up to 65,536, and [`WideFloatDepth`]
-/// beyond: see [the rule](crate::guide::concepts#depth).
+/// visible, even if it is the farther one. Therefore, use [`LinearDepth`] up to a ratio of 500, [`FloatDepth`] up to
+/// 65,536, and [`WideFloatDepth`] beyond: see [the rule](crate::guide::concepts#depth).
 ///
 /// Under a parallel projection, depth falls linearly with the distance, so use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.

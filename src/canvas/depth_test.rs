@@ -168,8 +168,8 @@ depth_tests! {
         /// # Ok::<(), Error>(())
         /// ```
         TestNearer nearer true true;
-        /// Draws a pixel if it is farther than the stored depth, and keeps the stored depth: for what other surfaces hide,
-        /// such as the silhouette of a figure behind a wall.
+        /// Draws a pixel if it is farther than the stored depth, and keeps the stored depth: for hidden parts, such as
+        /// the silhouette of a figure behind a wall.
         ///
         /// ```
         /// use fixel::{prelude::*, canvas::{Opacity, TestBehind}};
@@ -246,9 +246,10 @@ impl<Z> Biased<Z> {
     ///
     /// For an edge of an [outline](crate::Mesh::outline), up to three depth differences are computed: one
     /// along the line, and one on each of the edge's two faces, unless the face is culled. The greatest of them counts.
-    /// On the screen, a face may be much narrower than a pixel. So the difference on a face is limited to the difference
-    /// between its nearest and its farthest corner. If the edge is not a crease, the limit is twice as high, because on a
-    /// round body, pixels of the edge may lie over the next face, which is farther away.
+    /// On a face that is much narrower than a pixel, neighboring pixels would differ too much. Therefore, the
+    /// difference on a face is limited to the difference between its nearest and its farthest corner. If the edge is
+    /// not a crease, the limit is twice as high, because on a round body, pixels of the edge may lie over the next
+    /// face, which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self { test, steps, slope }
@@ -268,10 +269,11 @@ impl<Z> Biased<Z> {
     }
 
     /// `test` with depths moved nearer by seven units of the stored depth, for a surface in the plane of a surface that is
-    /// already drawn: a shadow on the ground, a sign on a wall. With [`TestNearer`], each of its pixels is drawn once.
+    /// already drawn: a shadow on the ground, a sign on a wall. With [`TestNearer`], each pixel of the new surface is
+    /// drawn once.
     ///
-    /// If the depth changes by at most 256 units from pixel to pixel, no pixel is missing. The surface also shows in front
-    /// of things that are nearer by up to seven units. A unit is w² / (65,535 · near) long at the distance w.
+    /// If the depth changes by at most 256 units from pixel to pixel, no pixel is missing. The new surface also covers
+    /// things that are up to seven units nearer than it. A unit is w² / (65,535 · near) long at the distance w.
     #[must_use]
     pub const fn coplanar(test: Z) -> Self {
         Self::new(test, 7, Scalar::ZERO)

@@ -32,10 +32,10 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     ///
     /// Each pixel gets the display's nearest gray. Later pixels make up for the difference, which is at most half a
     /// step of the display's grays: 7/16 of it are added to the pixel on the right; 3/16, 5/16 and 1/16 to the pixels
-    /// below on the left, directly below, and below on the right. At the left and right sides of the frame, the pixel
-    /// directly below also gets the parts for pixels outside. The mean brightness therefore stays the same, except
-    /// where it would exceed white or fall below black. Details are finer than with ordered dithering, but if the
-    /// picture moves, they change from frame to frame.
+    /// below on the left, directly below, and below on the right. At the left and right sides of the frame, some of
+    /// these pixels would be outside the frame; the pixel directly below gets their parts. The mean brightness
+    /// therefore stays the same, except where it would exceed white or fall below black. Details are finer than with
+    /// ordered dithering, but if the picture moves, they change from frame to frame.
     ///
     /// Bands that are shown from top to bottom give the same picture as the whole frame. The display may be another
     /// canvas that holds the whole frame or the same rows. The display must consume every color that is sent to it.

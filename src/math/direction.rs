@@ -6,7 +6,7 @@ use crate::num::Fraction;
 use crate::num::rsqrt::{measure, unit};
 use crate::num::wide::dot;
 
-/// A vector of length one, or of length zero where there is no direction.
+/// A direction: a vector of length one, or of length zero for [`NONE`](Self::NONE).
 ///
 /// Each component has 30 fraction bits and is accurate to 2⁻²⁸.
 ///
@@ -47,8 +47,9 @@ impl Direction {
         self.0.map(Fraction::from_bits)
     }
 
-    /// Returns the dot product, which is the cosine of the angle to another direction, with an error of at most 2⁻²⁸; 0
-    /// if either direction is [`NONE`](Self::NONE).
+    /// Returns the dot product: the cosine of the angle between this direction and `other`.
+    ///
+    /// The error is at most 2⁻²⁸. The result is 0 if either direction is [`NONE`](Self::NONE).
     ///
     /// ```
     /// use fixel::{Fraction, Vec3, math::Direction, vec3};

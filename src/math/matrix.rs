@@ -74,8 +74,8 @@ impl Matrix4 {
     /// Multiplies the matrix by a point (x, y, z, 1) and divides by the fourth coordinate w. The result is rounded to
     /// nearest (half away from zero).
     ///
-    /// `None` if a coordinate of the result is beyond ±32768, or if w is not above 0: the picture of such a point would
-    /// be missing or mirrored.
+    /// `None` if a coordinate of the result is beyond ±32768, or if w is 0 or negative: the picture of such a point
+    /// would be missing or mirrored.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {
         let [x, y, z, w] = self.homogeneous(point);

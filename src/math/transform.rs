@@ -172,8 +172,8 @@ impl Transform {
     }
 
     /// Makes the transform that scales each axis by its own factor about the origin; a negative factor mirrors.
-    /// A mirrored mesh still shows its outside: [culling](crate::Cull) needs no change. For what a mirror shows, see
-    /// [`Camera::mirrored`](crate::Camera::mirrored).
+    /// A mirrored mesh still shows its outside: [culling](crate::Cull) needs no change. To draw what a mirror shows,
+    /// see [`Camera::mirrored`](crate::Camera::mirrored).
     ///
     /// Each factor is accurate to 2⁻³⁰ of the largest factor.
     #[must_use]
@@ -273,8 +273,8 @@ impl Transform {
     /// Makes a transform rigid again after many multiplications: the rows of its matrix become
     /// orthogonal and of length one.
     ///
-    /// The z axis keeps its direction, and the y axis stays in the plane of y and z. The result mirrors if the
-    /// transform does (if its matrix has a negative determinant). A matrix with rows that are zero or parallel is
+    /// The z axis keeps its direction, and the y axis stays in the plane of y and z. If the transform mirrors (its
+    /// matrix has a negative determinant), the result mirrors, too. A matrix with rows that are zero or parallel is
     /// returned unchanged.
     ///
     /// Use this method for rotations and translations that are multiplied frame by frame.

@@ -14,10 +14,11 @@ use crate::message;
 ///
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/winding.svg"))]
 ///
-/// Texture coordinates, normals and colors are attributes. An attribute has one value per position, or `faces` of its
-/// own: three indices per triangle, as in an OBJ file. A position may then have a different value in each triangle, and
-/// a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE). The corners of a front face run
-/// counter-clockwise as seen by the viewer.
+/// Texture coordinates, normals and colors are attributes. An attribute has either one value per position, or its own
+/// list of `faces`: three indices per triangle, as in an OBJ file. With its own `faces`, a position may have a
+/// different value in each triangle, and a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE).
+///
+/// The corners of a front face run counter-clockwise as seen by the viewer.
 ///
 /// The constructors check every index; for a `static`, this happens at compile time:
 ///

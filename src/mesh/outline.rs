@@ -10,8 +10,8 @@ use crate::num::Angle;
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye.
-/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along the same edges. They are of two
-/// kinds:
+/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along the same edges. There are two kinds
+/// of such edges:
 ///
 /// - *creases*, where two faces meet at an angle above a limit;
 /// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.
@@ -88,8 +88,9 @@ impl<'a> Outline<'a> {
     /// The sides of two faces form one edge if their ends have the same positions, even if the indices differ.
     /// Therefore, a seam of texture coordinates is not a border. Faces without area are ignored. An angle of at most
     /// 2⁻¹⁰ radians (0.056 degrees) between two faces counts as flat, so the diagonals of a flat polygon are never
-    /// creases. Two faces that run along an edge in the same direction do not share it: each has a border there, unless
-    /// another face runs the other way. Only sides of faces count, so lines of an OBJ file are left out.
+    /// creases. If the corners of two faces follow an edge in the same direction, the faces do not share the edge: each
+    /// face has a border there, unless the corners of another face follow the edge in the other direction. Only sides
+    /// of faces count, so lines of an OBJ file are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;

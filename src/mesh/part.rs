@@ -24,9 +24,9 @@ pub struct Material<'a> {
     pub name: &'a str,
     /// The color where no texture is drawn.
     pub color: Rgb888,
-    /// The texture's file name or, if the model contains the picture, the picture's name. If a texture says how much
-    /// light the surface sends out, the picture contains this light, too, and has a name such as `image-5`:
-    /// `include_texture!(…, image = 5)` reads it.
+    /// The texture's file name or, if the model contains the picture, the picture's name. If the material has a texture
+    /// for the light that the surface sends out, the picture contains this light, too. Its name is then, for example,
+    /// `image-5`, and `include_texture!(…, image = 5)` reads it.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,
@@ -38,7 +38,7 @@ pub struct Material<'a> {
     pub two_sided: bool,
     /// Whether the texture is clamped to its edge, along u and along v; otherwise, it repeats.
     pub clamp: [bool; 2],
-    /// Whether lights do not change the surface's colors. If so, draw it without [`lit`](crate::Shader::lit).
+    /// True if lights do not change the surface's colors. Draw such a surface without [`lit`](crate::Shader::lit).
     pub unlit: bool,
 }
 

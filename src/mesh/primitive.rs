@@ -281,9 +281,9 @@ pub struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The index of the corner's position in the mesh's [`positions`](crate::Mesh::positions). A [part](crate::Mesh::part) keeps all
-    /// positions of the whole mesh, so its indices are the same as in the whole mesh. Use the index to look up your own
-    /// values, one per position.
+    /// The index of the corner's position in the mesh's [`positions`](crate::Mesh::positions). A
+    /// [part](crate::Mesh::part) of a mesh keeps all positions, so the indices are the same as in the whole mesh. Use
+    /// the index to look up your own values, one per position.
     #[must_use]
     #[inline]
     pub fn index(&self) -> Index {

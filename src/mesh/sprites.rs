@@ -61,9 +61,9 @@ use crate::num::{Angle, Scalar, TexCoord};
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
 /// have no backs. A sprite with neither an [axis](Self::with_axis) nor an [angle](Self::with_angles) is an upright
 /// rectangle on the screen. It is drawn as a single rectangle, which costs less than two triangles. Pixels and depths
-/// are the same, and varyings (the numbers that the shader interpolates) are as accurate. Two triangles are drawn if
-/// the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as with mipmaps), or if a
-/// varying changes both across and down, as the light of a lamp does.
+/// are the same, and varyings (the numbers that the shader interpolates) are as accurate. It is still drawn as two
+/// triangles if the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as with mipmaps),
+/// or if a varying changes both across and down, as the light of a lamp does.
 ///
 /// Every shader works with sprites, and sees them as a mesh in eye space, with normals that point toward the viewer.
 /// The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the sprite's
@@ -325,7 +325,7 @@ impl<'a, A: Copy> Sprites<'a, A> {
     }
 
     /// Divides the texture into a grid of columns and rows, and shows one cell of this grid, a frame, on each sprite.
-    /// Frames are counted from 0 at the top left, row by row. Numbers wrap: after the last frame comes the first.
+    /// Frames are counted from 0 at the top left, row by row. Frame numbers wrap: after the last frame comes the first.
     ///
     /// # Errors
     ///
@@ -356,8 +356,8 @@ impl<'a, A: Copy> Sprites<'a, A> {
     /// and at the bottom.
     ///
     /// At the border, a [bilinear](crate::Textured::bilinear) filter also blends texels of neighboring frames. An inset
-    /// of half a texel prevents this: 1/128 for a texture of 64 texels. For mipmaps, use half a texel of the smallest
-    /// level that is used.
+    /// of half a texel prevents this: 1/128 for a texture of 64 texels. With mipmaps, the inset must be half a texel of
+    /// the smallest level that is drawn: 1/16 if this level has 8 texels.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

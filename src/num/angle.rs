@@ -156,9 +156,9 @@ impl Angle {
     /// Interpolates along the shorter way: the result is `self` at `t` = 0 and `other` at `t` = 1. If `t` is below 0 or
     /// above 1, the result is extrapolated.
     ///
-    /// The result is rounded to the nearest unit, halves up. Between opposite angles, it turns clockwise. To turn from
-    /// `a` to `b` counter-clockwise, even if this way is longer, write `a + (b - a) * t`; to turn clockwise, write
-    /// `a - (a - b) * t`.
+    /// The result is rounded to the nearest unit, halves up. Between opposite angles, the interpolation turns
+    /// clockwise. To turn from `a` to `b` counter-clockwise, even if this way is longer, write `a + (b - a) * t`; to
+    /// turn clockwise, write `a - (a - b) * t`.
     ///
     /// ```
     /// use fixel::prelude::*;
@@ -223,8 +223,8 @@ impl Angle {
     /// counts as the `f64` nearest to 2π, which adds an error of 4e-17 times the float. So the angle is accurate to one
     /// unit for up to ten million radians.
     ///
-    /// Without the standard library, the crate [`micromath`] computes with floats, if errors of 1e-3 are small enough.
-    /// fixel itself uses only integers.
+    /// If your own code needs float functions such as `sin` without the standard library, the crate [`micromath`] has
+    /// them, with errors of about 1e-3. fixel itself uses only integers.
     ///
     /// ```
     /// use fixel::prelude::*;

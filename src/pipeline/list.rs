@@ -187,7 +187,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
         }
     }
 
-    /// Transforms, culls and clips a thing, and keeps the visible triangles or edges in this list. `frame` is the
+    /// Transforms, culls and clips `thing`, and keeps the visible triangles or edges in this list. `frame` is the
     /// number of columns and rows of the frame. Without a list, [`Canvas::draw_with`](crate::Canvas::draw_with) does
     /// this work again in each band. The previous contents of the list are dropped.
     ///

@@ -1,8 +1,8 @@
-//! The draw call: a thing through its stages onto a canvas.
+//! The draw call: the stages from a mesh to the pixels of a canvas.
 //!
-//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Three files have questions that
-//! draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a mesh may change,
-//! and [`ray`] finds the surface that a pixel shows.
+//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Three files answer questions
+//! and draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a mesh may
+//! change, and [`ray`] finds the surface that a pixel shows.
 
 mod assemble;
 mod cache;
@@ -97,7 +97,7 @@ pub struct Drawn {
 impl Drawn {
     /// The number of triangles, edges or points that were neither drawn nor culled. They are nearer than the near plane
     /// (perhaps behind the eye), beyond the far plane, or beside the picture. Triangles may also be so small that they
-    /// contain no pixel center. In a band, they may have no pixel in its rows.
+    /// contain no pixel center. In a band, they may also have no pixel in the band's rows.
     #[must_use]
     pub const fn outside(&self) -> u32 {
         self.submitted
@@ -134,8 +134,8 @@ impl AddAssign for Drawn {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Draws a thing: `mvp` projects it to the whole frame, and this canvas gets the part in its rows. Back faces are
-    /// left out, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
+    /// Draws `thing`: `mvp` projects it to the whole frame, and the part that lies in this canvas's rows is drawn. Back
+    /// faces are left out, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
     /// perspective.
     ///
     /// | `thing` | is drawn as |
@@ -162,7 +162,7 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
         self.draw_with(&DrawOptions::new(), thing, mvp, shader)
     }
 
-    /// Draws a thing like [`draw`](Self::draw), with options.
+    /// Draws `thing` like [`draw`](Self::draw), with options.
     pub fn draw_with<T: Thing<C>, M: Mode, Z: DepthTest, B: Blending<C>, V: AsMvp>(
         &mut self,
         options: &DrawOptions<M, Z, B>,

@@ -156,7 +156,7 @@ impl Viewport {
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// A [`DrawTarget`](embedded_graphics::draw_target::DrawTarget) for text, or for anything else that
     /// embedded-graphics draws, at a point of the scene. The target's origin is the pixel that contains `at`.
-    /// Surfaces that are nearer than `at` hide what is drawn there.
+    /// Surfaces that are nearer than `at` hide the pixels of the label.
     ///
     /// Everything drawn to the label has the point's depth, so the label looks like a sheet of paper that faces the
     /// viewer. A pixel is drawn if it is at least as near as the stored depth. The stored depth does not change.

@@ -32,8 +32,8 @@ pub struct Ray {
     pub origin: Vec3,
     /// The direction of the ray.
     pub direction: Direction,
-    /// Which faces the ray passes through: none, those that it meets from behind, or those that it meets from the
-    /// front. Seen from the front, a face's corners run counter-clockwise.
+    /// Which faces the ray ignores: none, those that it meets from behind, or those that it meets from the front. Seen
+    /// from the front, a face's corners run counter-clockwise.
     pub cull: Cull,
 }
 
@@ -289,8 +289,8 @@ fn in_model(
 
 impl Viewport {
     /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. The ray starts at the
-    /// near plane. By default, as in a draw call, it passes through faces that it meets from behind. If you draw with
-    /// another [`Cull`], set [`Ray::cull`].
+    /// near plane. By default, it passes through faces that it meets from behind, because a draw call culls them. If
+    /// you draw with another [`Cull`], set [`Ray::cull`].
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.

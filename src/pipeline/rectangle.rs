@@ -15,8 +15,7 @@ impl Viewport {
     /// The pixels of this viewport that a draw call may change, if it draws a mesh within `bounds`: the smallest
     /// rectangle around the box on the screen, rounded outward to whole pixels. `None` if there are no such pixels.
     ///
-    /// So a mesh that moves over a still picture needs only this rectangle to be cleared, drawn and sent to the
-    /// display: see the example.
+    /// If a mesh moves over a still picture, clear, draw and send to the display only this rectangle: see the example.
     ///
     /// `reach` is how many pixels lines and points reach beyond their positions:
     ///

@@ -9,11 +9,14 @@ use crate::num::Scalar;
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
 /// A line advances in steps of one pixel along x or y, whichever changes more along the line. At each step, it draws a
-/// run of pixels at right angles to this axis: the pixels whose centers are at most half the width away from the line. A
-/// center exactly on the upper or left end of a run does not belong to it; a center on the lower or right end does. So a
-/// line of width n has n pixels in each run. A center at the left end of a line (in steep lines, the upper end) belongs
-/// to the line; a center at the right end (in steep lines, the lower end) does not. A line from a to b has the same
-/// pixels as a line from b to a.
+/// run of pixels at right angles to this axis. A line from a to b has the same pixels as a line from b to a.
+///
+/// A run has the pixels whose centers are at most half the width away from the line, measured along the run. A center
+/// exactly at the upper or left end of the run does not belong to it; a center at the lower or right end does. So a
+/// line of width n has n pixels in each run.
+///
+/// The first and the last run depend on the ends of the line. A center at the left end of the line (in steep lines, the
+/// upper end) belongs to the line; a center at the right end (in steep lines, the lower end) does not.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws the pixel at an end only if the

@@ -20,9 +20,9 @@ use crate::texture::Blend;
 ///
 /// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
 /// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. In an area of one value, the mean of the
-/// dithered pixels is within 1/128 step of that value in any tile of 8x8 pixels. In tiles of 4x4 and 2x2 pixels with
-/// corners at multiples of their size in the frame, the mean is within 7/128 and 31/128 step. Black stays black, and
-/// white stays white.
+/// dithered pixels is within 1/128 step of that value in any tile of 8x8 pixels. In tiles whose corners are at
+/// multiples of the tile's size in the frame, the mean is within 7/128 step for 4x4 pixels, and within 31/128 step for
+/// 2x2 pixels. Black stays black, and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};

@@ -28,8 +28,8 @@
 //! | [`.dithered()`](Shader::dithered) | the surface, dithered even if its format has many bits | 0 |
 //! | [`.converted()`](Shader::converted) | the surface in another color format, dithered if that format has fewer than 5 bits per channel | 0 |
 //!
-//! A light is what [`.lit(light)`](Shader::lit) and [`.lit_faces(light)`](Shader::lit_faces) take. Arrays, slices and
-//! tuples of lights are lights, too; so is a type of yours that implements [`Lighting`].
+//! [`.lit(light)`](Shader::lit) and [`.lit_faces(light)`](Shader::lit_faces) accept the lights in this table. Arrays,
+//! slices and tuples of lights are lights, too; so is a type of yours that implements [`Lighting`].
 //!
 //! | light | |
 //! |---|---|

@@ -37,9 +37,9 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, texels};
 /// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, the
 /// varyings hold the texture coordinates exactly; along a shorter side, they are rounded to nearest. The range of the
 /// varyings is ±32,768 texels (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond this range, they
-/// saturate. In a repeating texture, the shader first moves a triangle by whole repeats, so that its middle is in the
-/// first repeat. So the range limits only the extent of a triangle, not its place in the texture. Lines and points stay
-/// where they are.
+/// saturate. If the texture repeats, the shader first moves a triangle's texture coordinates by whole repeats, so that
+/// their middle is in the first repeat. So the range limits only the extent of a triangle, not its place in the
+/// texture. The texture coordinates of lines and points are not moved.
 ///
 /// # The type
 ///

@@ -60,7 +60,8 @@ impl Argb4444 {
         (self.0 >> 12) as u8 * 17
     }
 
-    /// The color. Each channel's bits are repeated in the new low bits, so that the highest value stays the highest.
+    /// The color. Each channel's highest bits are repeated as the low bits that [`Rgb565`] has in addition: one bit for
+    /// red and blue, two bits for green. So the highest value stays the highest.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Rgb565 {

@@ -69,7 +69,7 @@ pub trait Sampler: Copy {
     /// A texel of a mipmap level. The width and height of the level are the texture's width and height divided by
     /// 2^`level`. In the last level, the shorter side has one texel.
     ///
-    /// A texel of a level replaces several texels of level 0; by default, this returns the first of them.
+    /// A texel of a level replaces several texels of level 0; by default, this function returns the first of them.
     #[inline]
     fn texel_at(&self, level: u32, u: i32, v: i32) -> Self::Color {
         self.texel(u.wrapping_shl(level), v.wrapping_shl(level))

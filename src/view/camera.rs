@@ -133,11 +133,11 @@ impl Camera {
     /// Returns the camera that shows what a mirror shows: the mirror image of the world, in the plane through `point` at
     /// right angles to `normal`.
     ///
-    /// Draw the scene twice: from this camera in the mirror's pixels, and from `self` everywhere. The
+    /// Draw the scene twice: with the mirrored camera in the mirror's pixels, and with `self` everywhere. The
     /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their
     /// outsides, so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because
-    /// the world itself does not move, and highlights are where [this camera](crate::Viewer::of) sees them. Things
-    /// behind the mirror would appear in front of it, so leave them out.
+    /// the world itself does not move, and highlights are where the [mirrored camera](crate::Viewer::of) sees them.
+    /// Things behind the mirror would appear in front of it, so leave them out.
     ///
     /// # Errors
     ///
@@ -190,19 +190,21 @@ impl Camera {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera that looks down −z, from in front of `target`.
+    /// Makes a [trimetric](Self::trimetric) camera without turn or tilt: it is in front of `target`, and looks along
+    /// −z.
     #[must_use]
     pub fn front(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera that looks down −x, from the right of `target`.
+    /// Makes a [trimetric](Self::trimetric) camera turned by 90°: it is to the right of `target`, and looks along −x.
     #[must_use]
     pub fn side(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::QUARTER, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera above `target` that looks along −y, with −z upwards in the picture.
+    /// Makes a [trimetric](Self::trimetric) camera tilted by 90°: it is above `target`, and looks along −y. In the
+    /// picture, −z points upward.
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::QUARTER)

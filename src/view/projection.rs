@@ -107,9 +107,9 @@ impl ProjectionRow {
 ///
 /// [Mathematics](crate::guide::mathematics::projection#a-matrix) derives the matrix from similar triangles.
 ///
-/// The coefficients of the matrix have 30 significant bits, whatever their size. Exception: where x or y of the picture
-/// also depends on z (an off-center window, an oblique projection), the smaller of the two coefficients can have fewer
-/// bits.
+/// The coefficients of the matrix have 30 significant bits, whatever their size. There is one exception. With an
+/// off-center window, or in an oblique projection, x or y of the picture also depends on z. Of its two coefficients,
+/// the smaller one can then have fewer bits.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -191,8 +191,9 @@ impl<K: ProjectionKind> Projection<K> {
     ///
     /// Each edge has an error of at most 2⁻²⁹ of the largest edge, before it is rounded to the nearest 2⁻¹⁶; it
     /// saturates. In perspective and under an oblique projection, `near` counts as an edge in this bound. Under an
-    /// oblique projection, the bound is also multiplied by 1 + |ratio|. In perspective, let m be the distance from the
-    /// line of sight to the middle of the window: if m exceeds `near`, the bound is also multiplied by m / `near`.
+    /// oblique projection, the bound is also multiplied by 1 + |ratio|, where ratio is the argument of
+    /// [`oblique`](Projection::oblique). In perspective, let m be the distance from the line of sight to the middle of
+    /// the window: if m exceeds `near`, the bound is also multiplied by m / `near`.
     #[must_use]
     pub fn window(&self) -> Window {
         Window {

@@ -13,11 +13,12 @@ impl Transform {
     /// `light` points to the light, as in [`Light::new`](crate::Light::new). Both vectors may have any length except
     /// zero. For a lamp near the mesh, use the direction from the mesh to the lamp.
     ///
-    /// Write the shadow to the left of the transform that places the mesh, and draw it with
-    /// [`TestNearer`](crate::canvas::TestNearer), so that each pixel is darkened once; see
-    /// [`Biased::coplanar`](crate::canvas::Biased::coplanar). If the mesh is closed, leave [culling](crate::Cull) as it
-    /// is, because the faces toward the light show their fronts. Parts of the mesh behind the plane throw a shadow,
-    /// too. The [cookbook](crate::guide::cookbook::surfaces#a-mirror) has a scene with shadows.
+    /// Multiply this transform by the transform that places the mesh, with the shadow on the left: `view * shadow *
+    /// place`. Draw the mesh with this product and [`TestNearer`](crate::canvas::TestNearer), so that each pixel is
+    /// darkened once; see [`Biased::coplanar`](crate::canvas::Biased::coplanar). If the mesh is closed, leave
+    /// [culling](crate::Cull) as it is, because the faces toward the light show their fronts. Parts of the mesh behind
+    /// the plane throw a shadow, too. The [cookbook](crate::guide::cookbook::surfaces#a-mirror) has a scene with
+    /// shadows.
     ///
     /// The entries of the matrix are accurate to 2⁻²⁸ of its largest entry. The lower the light, the larger this entry:
     /// about 1 / sin e, where e is the light's angle above the plane.

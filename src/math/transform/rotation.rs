@@ -49,8 +49,8 @@ impl Transform {
     /// Makes the rotation about an axis through the origin, counter-clockwise as seen from the axis's tip.
     ///
     /// The axis may have any length except zero. The entries of the rotation matrix are accurate to 3 · 2⁻²⁸. Its rows
-    /// have length one and are orthogonal to within 1e-8, so a model that is turned often [keeps its
-    /// size](crate::guide::limits) for long.
+    /// have length one and are orthogonal to within 1e-8, so a model that is turned in every frame [keeps its
+    /// size](crate::guide::limits) for a long time.
     ///
     /// # Errors
     ///

@@ -25,10 +25,10 @@ use writer::MeshWriter;
 /// | [`plane`](Self::plane), [`disc`](Self::disc) | surfaces that face up |
 /// | [`lathe`](Self::lathe) | a surface of revolution: a profile of yours, turned around the y axis |
 ///
-/// All shapes are centered on the origin, except a lathe's. Shapes have positions, unit normals, texture coordinates
-/// from 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as
-/// seen from outside. Where the texture or the normal jumps, positions are stored more than once, except in a cuboid.
-/// To resize a shape, scale it with a [`Transform`](crate::Transform).
+/// All shapes except a lathe are centered on the origin. Shapes have positions, unit normals, texture coordinates from
+/// 0 to 1, and edges, which form a wireframe without the diagonals of quads. Triangles are counter-clockwise as seen
+/// from outside. Where texture coordinates or normals change abruptly, positions are stored more than once, except in a
+/// cuboid. To resize a shape, scale it with a [`Transform`](crate::Transform).
 ///
 /// ```
 /// use fixel::mesh::{Buffers, Shape};
@@ -193,9 +193,10 @@ impl<'p> Shape<'p> {
     /// A surface of revolution: a profile, turned around the y axis in `slices` steps, as on a potter's wheel or a
     /// lathe.
     ///
-    /// The profile is a list of points (distance from the axis, height). List the points from the top to the bottom, as
-    /// you see the right half of the outside. Where the list runs up, it describes an inside, like a cup's. The surface
-    /// is closed if the first and the last point are on the axis, or if they are the same.
+    /// The profile is a list of points (distance from the axis, height). Imagine a drawing of the right half of the
+    /// shape, and list the points of its outside from the top to the bottom. Where the points lead upward, they
+    /// describe an inside, for example of a cup. The surface is closed if the first and the last point are on the axis,
+    /// or if they are the same.
     ///
     /// The surface is smooth. **A point that is repeated makes an edge there**; on the axis, it makes a tip. The texture
     /// wraps around the axis once, and runs down the profile in proportion to its length.

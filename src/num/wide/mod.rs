@@ -2,8 +2,8 @@
 //! Each function gives the same bits on all cores.
 //!
 //! No file outside this folder asks for the name or the width of the core. Where another file can compute a number in
-//! two ways, it asks [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`], [`STEPS_INDEX`] or [`STORES_ANYWHERE`] which one is
-//! faster.
+//! two ways, one of the constants [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`], [`STEPS_INDEX`] and [`STORES_ANYWHERE`]
+//! tells it which way is faster.
 
 mod bits;
 mod divide;

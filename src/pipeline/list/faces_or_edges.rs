@@ -18,7 +18,7 @@ use crate::shade::ShaderFor;
 use crate::span::{Plain, Shading};
 use crate::view::{AsMvp, ProjectionKind};
 
-/// The faces of a mesh, or edges of a mesh: a thing for a list that holds both.
+/// The faces or the edges of a mesh: the type of the objects in a list that holds faces and edges.
 ///
 /// In a list that is sorted [back to front](crate::DrawList::prepare_back_to_front), the faces hide the edges behind
 /// them, so hidden lines are removed without a depth buffer. If a face and its edges are equally far away, the object

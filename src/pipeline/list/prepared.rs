@@ -254,8 +254,8 @@ pub struct Prepared<'a, T = (), G = &'a Mesh<'a>, O = DrawOptions, K = Perspecti
 }
 
 impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
-    /// The objects of the scene, in the order of their slice; none for a thing that was prepared alone. As long as a
-    /// `Prepared` borrows the objects, read their transforms with this method:
+    /// The objects of the scene, in the order of their slice. The slice is empty if a mesh or edges were prepared
+    /// alone. As long as a `Prepared` borrows the objects, read their transforms with this method:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

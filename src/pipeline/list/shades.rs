@@ -11,7 +11,7 @@ use crate::mesh::{Missing, Primitive};
 use crate::pipeline::{corner_cache, keeps_corners};
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
 
-/// Memory for the light on a prepared list, or for whatever else a shader computes for each triangle or edge.
+/// Memory for what a shader computes, such as light, for each triangle or edge of a prepared list.
 ///
 /// Without a `ShadeList`, a shader computes its [`varyings`](Shader::varyings) for a triangle or edge once in each band
 /// that contains a part of it. [`Prepared::shade`] computes them once per frame and stores them here. The pixels are
@@ -83,8 +83,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
     /// Returns a function like `shader_of`, whose shaders use the stored values: draw with these shaders in each band.
-    /// If there are no materials, call the function with `&()`. For anything that is not in the list, these shaders
-    /// compute their values as usual.
+    /// If there are no materials, call the returned function with `&()`. For anything that is not in the list, these
+    /// shaders compute their values as usual.
     ///
     /// # Errors
     ///

@@ -47,8 +47,8 @@ impl Viewer {
     }
 
     /// The viewer of a picture that is drawn with this model-view-projection. The camera must be a rigid transform, or
-    /// [mirrored](crate::Camera::mirrored). Every [`Camera`](crate::Camera) is, unless you make it from another
-    /// transform.
+    /// [mirrored](crate::Camera::mirrored). Every [`Camera`](crate::Camera) is rigid or mirrored, unless you make it
+    /// from another transform.
     #[must_use]
     pub fn of(picture: &impl AsMvp) -> Self {
         let from_eye = picture.camera_of().inverse_rigid();

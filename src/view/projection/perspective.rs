@@ -61,7 +61,7 @@ impl Projection<Perspective> {
         Ok(Self::from_scales(x, y, near, far))
     }
 
-    /// Makes a symmetric perspective from its focal length in pixels: an object that is as wide as its distance from
+    /// Makes a symmetric perspective from its focal length in pixels: an object whose width equals its distance from
     /// the eye is `pixels` wide in a picture of `size` pixels.
     ///
     /// # Errors
@@ -129,8 +129,8 @@ impl Projection<Perspective> {
         ) * 2
     }
 
-    /// Returns the point of the near plane in which all lines with the direction (x, y, z) vanish: (−n·x/z, −n·y/z),
-    /// where n is the distance of the near plane; rounded to nearest (half away from zero).
+    /// Returns the vanishing point of all lines with the direction (x, y, z). It lies on the near plane, at (−n·x/z,
+    /// −n·y/z), where n is the distance of the near plane. Components are rounded to nearest (half away from zero).
     ///
     /// `None` if the direction is parallel to the picture, because such lines stay parallel in the picture, or if the
     /// point is beyond ±32768.
