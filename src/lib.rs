@@ -14,6 +14,8 @@
     )
 )]
 #![cfg_attr(doc, doc = include_str!("guide/diagrams/pipeline.svg"))]
+// On a phone, a wide table scrolls. Without this style, rustdoc breaks code in its cells at any letter.
+#![cfg_attr(doc, doc = include_str!("guide/tables.html"))]
 //!
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL, tgx,
 //! embedded-3dgfx or small3dlib, begin with [what differs from them](guide::coming_from). If you know linear algebra
