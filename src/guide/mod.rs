@@ -50,7 +50,8 @@ pub mod mathematics;
 #[cfg_attr(doc, doc = include_str!("diagrams/axes.svg"))]
 ///
 #[doc = include_str!("coming_from.md")]
-#[cfg_attr(doc, doc = include_str!("tables.html"))]
+// Of the tables, only that of the conventions scrolls on a phone: the others shall show both columns.
+#[doc = "\n<style>.docblock tr:has(> :nth-child(3)) code { overflow-wrap: break-word }</style>"]
 pub mod coming_from {}
 
 /// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
