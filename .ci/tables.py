@@ -102,17 +102,17 @@ def text(x, y, words, anchor="middle"):
     return f'<text x="{x:g}" y="{y:g}" text-anchor="{anchor}">{words}</text>'
 
 
-def chart(left, title, curves):
+def chart(top, title, curves):
     """Millions of instructions over triangles, from 0 to 8 and from 0 to 9,000; curves have a color and points."""
     def place(point):
-        return f"{left + 28 + point[0] / 9000 * 270:.1f} {220 - point[1] / 8 * 180:.1f}"
+        return f"{36 + point[0] / 9000 * 390:.1f} {top + 220 - point[1] / 8 * 180:.1f}"
 
-    yield text(left + 163, 20, title)
+    yield text(231, top + 20, title)
     for million in range(0, 9, 2):
-        yield f'<path d="M{place((0, million))}H{left + 298}" stroke="currentColor" stroke-opacity=".2"/>'
-        yield text(left + 22, 224 - million / 8 * 180, f"{million} M", "end")
+        yield f'<path d="M{place((0, million))}H426" stroke="currentColor" stroke-opacity=".2"/>'
+        yield text(30, top + 224 - million / 8 * 180, f"{million} M", "end")
     for triangles in range(0, 9000, 2000):
-        yield text(left + 28 + triangles / 9000 * 270, 238, f"{triangles:,}")
+        yield text(36 + triangles / 9000 * 390, top + 238, f"{triangles:,}")
     for color, points in curves:
         yield f'<path d="M{"L".join(map(place, points))}" fill="none" stroke="{color}" stroke-width="2"/>'
         yield "".join(f'<path d="M{place(point)}h0" stroke="{color}" stroke-width="6" stroke-linecap="round"/>'
@@ -191,13 +191,13 @@ def names(instructions, other):
         for at, (name, what) in enumerate(kinds):
             parts.append(text(188, 24 + 34 * at, name, "end"))
             for y, color, count in [(13, FIXEL, mesh_cost(what, (M4, "3"))), (27, COLORS["tgx FPU"], MESHES[what])]:
-                parts.append(f'<path d="M196 {y + 34 * at}h{count / 1e6 * 40:.1f}" stroke="{color}" stroke-width="11"/>')
-                parts.append(text(202 + count / 1e6 * 40, y + 4 + 34 * at, million(count), "start"))
+                parts.append(f'<path d="M196 {y + 34 * at}h{count / 1e6 * 32:.1f}" stroke="{color}" stroke-width="11"/>')
+                parts.append(text(202 + count / 1e6 * 32, y + 4 + 34 * at, million(count), "start"))
         bottom = 34 * len(kinds) + 22
         for x, color, who in [(196, FIXEL, "fixel"), (300, COLORS["tgx FPU"], "tgx, with an FPU")]:
             parts.append(f'<path d="M{x} {bottom - 4}h16" stroke="{color}" stroke-width="9"/>')
             parts.append(text(x + 22, bottom, who, "start"))
-        return drawing(660, bottom + 8, "Millions of instructions for a frame of meshes, for fixel and tgx", parts)
+        return drawing(440, bottom + 8, "Millions of instructions for a frame of meshes, for fixel and tgx", parts)
 
     def code(name, target=M4, optimization="s"):
         return other[f"{target} {optimization} {name} code"]
@@ -240,13 +240,14 @@ def names(instructions, other):
                       for who, points in SPHERES.items()]
             lit = [(count, mesh_cost(f"sphere-lit-{count}", (M4, "3")) / 1e6) for count in [480, 1984, 7812]]
             lit = [] if way else [(COLORS["fixel, lit"], lit)]
-            parts += chart(340 * way, title, [(FIXEL, ours(name)), *lit, *theirs])
+            parts += chart(256 * way, title, [(FIXEL, ours(name)), *lit, *theirs])
         colors = {"fixel": FIXEL, "fixel, lit": COLORS["fixel, lit"], "tgx, with an FPU": COLORS["tgx FPU"],
                   "small3dlib": COLORS["small3dlib"]}
         for at, (who, color) in enumerate(colors.items()):
-            parts.append(f'<path d="M{50 + 150 * at} 258h16" stroke="{color}" stroke-width="3"/>')
-            parts.append(text(72 + 150 * at, 262, who, "start"))
-        return drawing(660, 270, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
+            x, y = 60 + 190 * (at % 2), 518 + 20 * (at // 2)
+            parts.append(f'<path d="M{x} {y - 4}h16" stroke="{color}" stroke-width="3"/>')
+            parts.append(text(x + 22, y, who, "start"))
+        return drawing(440, 546, "Millions of instructions for a frame over the triangles of a sphere, for fixel, tgx and "
                        "small3dlib", parts)
 
     def skins():
@@ -261,9 +262,9 @@ def names(instructions, other):
         for at, (name, what) in enumerate(kinds):
             y, count = 16 + 20 * at, instructions[M4, "3", "kernel", what, units[what]] / 1000
             parts.append(text(188, y + 4, name, "end"))
-            parts.append(f'<path d="M196 {y}h{count * 1.6:.1f}" stroke="{FIXEL}" stroke-width="11"/>')
-            parts.append(text(202 + count * 1.6, y + 4, tenths(count), "start"))
-        return drawing(660, 20 * len(kinds) + 12, "Instructions for a pixel of each kind of texture", parts)
+            parts.append(f'<path d="M196 {y}h{count * 0.75:.1f}" stroke="{FIXEL}" stroke-width="11"/>')
+            parts.append(text(202 + count * 0.75, y + 4, tenths(count), "start"))
+        return drawing(440, 20 * len(kinds) + 12, "Instructions for a pixel of each kind of texture", parts)
 
     def rate(what):
         """Frames a second of a Pico."""

@@ -53,6 +53,7 @@
 /// use fixel::prelude::*;
 /// static MODEL: Mesh = include_mesh!("../tests/models/house.mtl");
 /// ```
+#[cfg_attr(doc, doc = include_str!("guide/tables.html"))]
 #[macro_export]
 macro_rules! include_mesh {
     ($($input:tt)*) => {
@@ -167,6 +168,7 @@ macro_rules! include_outline {
 /// use fixel::prelude::*;
 /// static FAST: [[Rgb565; 4]; 8] = include_texture!("texture/samples/brick.bmp");
 /// ```
+#[cfg_attr(doc, doc = include_str!("guide/tables.html"))]
 #[macro_export]
 macro_rules! include_texture {
     ($($input:tt)*) => {

@@ -14,6 +14,8 @@
     )
 )]
 #![cfg_attr(doc, doc = include_str!("guide/diagrams/pipeline.svg"))]
+// On a phone, a wide table scrolls. Without this style, rustdoc breaks code in its cells at any letter.
+#![cfg_attr(doc, doc = include_str!("guide/tables.html"))]
 //!
 //! The [guide] leads from [concepts](guide::concepts) to [firmware](guide::firmware). If you know OpenGL, tgx,
 //! embedded-3dgfx or small3dlib, begin with [what differs from them](guide::coming_from). If you know linear algebra
@@ -76,20 +78,20 @@
 //!
 //! # Parts
 //!
-//! | part | made by | used as |
-//! |---|---|---|
-//! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own | first argument of [`Canvas::draw`] |
-//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`] | argument of [`Mesh::outline`], which draws lines, and of [`Canvas::smooth_edges`], which removes stairs |
-//! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s | second argument |
-//! | [`Shader`] | [`shade`], or ten lines of your own | third argument |
-//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`] | first argument of [`Canvas::draw_with`] |
-//! | [`DrawList`]: triangles or edges transformed once for all bands | [`DrawList::new`], [`prepare`](DrawList::prepare) | argument of [`Canvas::draw_prepared`] |
-//! | [`Object`]s: meshes with their transforms and materials | [`Object::new`] | argument of [`DrawList::prepare`] |
-//! | [`Sprites`]: billboards, particles, upright or turned | [`Sprites::new`], [`Sprites::in_pixels`] | first argument of [`Canvas::draw`] |
-//! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`] | first argument of [`Canvas::draw`] |
-//! | [`Viewport`]: where the picture is | [`Viewport::new`], [`Canvas::viewport`] | without a canvas, tells where a point or a mesh is on the screen: [`Viewport::project`], [`rectangle_on_screen`](Viewport::rectangle_on_screen) |
-//! | [`Ray`] of a pixel | [`Viewport::ray`] | [`Ray::hit`] finds the face of a mesh that is seen at this pixel |
-//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices | the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
+//! | part | made by<br>used as |
+//! |---|---|
+//! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own<br>first argument of [`Canvas::draw`] |
+//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`]<br>argument of [`Mesh::outline`], which draws lines, and of [`Canvas::smooth_edges`], which removes stairs |
+//! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s<br>second argument |
+//! | [`Shader`] | [`shade`], or ten lines of your own<br>third argument |
+//! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`]<br>first argument of [`Canvas::draw_with`] |
+//! | [`DrawList`]: triangles or edges transformed once for all bands | [`DrawList::new`], [`prepare`](DrawList::prepare)<br>argument of [`Canvas::draw_prepared`] |
+//! | [`Object`]s: meshes with their transforms and materials | [`Object::new`]<br>argument of [`DrawList::prepare`] |
+//! | [`Sprites`]: billboards, particles, upright or turned | [`Sprites::new`], [`Sprites::in_pixels`]<br>first argument of [`Canvas::draw`] |
+//! | Lines and points | [`Mesh::edges`], [`Mesh::outline`], [`Mesh::points`] with a [`LineStyle`] or [`PointStyle`]<br>first argument of [`Canvas::draw`] |
+//! | [`Viewport`]: where the picture is | [`Viewport::new`], [`Canvas::viewport`]<br>without a canvas, tells where a point or a mesh is on the screen: [`Viewport::project`], [`rectangle_on_screen`](Viewport::rectangle_on_screen) |
+//! | [`Ray`] of a pixel | [`Viewport::ray`]<br>[`Ray::hit`] finds the face of a mesh that is seen at this pixel |
+//! | [`Canvas`]: colors, depth, rows | [`Canvas::new`], [`Canvas::band`], over your slices<br>the picture for a display: [`Canvas::show`] or [`Canvas::as_bytes`] |
 //!
 //! # Spaces
 //!

@@ -1,5 +1,6 @@
 //! The canvas: a frame, or a band of a frame, in memory of the caller, with or without a depth buffer.
 //!
+#![cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #![cfg_attr(doc, doc = page_picture!("formats", "A ball in 16 bits of color, in four grays, in black and white"))]
 //! A [`Canvas`] has three type parameters: its color, how the color is stored, and its depth buffer. The compiler
 //! infers these types from your slices. Write them out only if the canvas stores words or bytes. Each draw call chooses

@@ -298,3 +298,4 @@
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!
 //! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for faults of displays.
+#![cfg_attr(doc, doc = include_str!("tables.html"))]

@@ -176,3 +176,4 @@
 //!
 // The smaller font lets lines of 100 characters fit into the page.
 //! <style>.docblock pre.rust { font-size: 15px }</style>
+#![cfg_attr(doc, doc = include_str!("tables.html"))]

@@ -50,12 +50,15 @@ pub mod mathematics;
 #[cfg_attr(doc, doc = include_str!("diagrams/axes.svg"))]
 ///
 #[doc = include_str!("coming_from.md")]
+// Of the tables, only that of the conventions scrolls on a phone: the others shall show both columns.
+#[doc = "\n<style>.docblock tr:has(> :nth-child(3)) code { overflow-wrap: break-word }</style>"]
 pub mod coming_from {}
 
 /// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
 ///
 #[cfg_attr(doc, doc = page_picture!("firmware", "The program of this page: a spinning ring with a caption"))]
 #[doc = include_str!("firmware.md")]
+#[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod firmware {}
 
 pub mod displays;
@@ -74,6 +77,7 @@ pub mod displays;
 )]
 ///
 #[doc = include_str!("modes.md")]
+#[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod modes {}
 
 /// This page gives the cost of drawing in instructions and bytes, measured in the same way for fixel and for similar
@@ -81,6 +85,7 @@ pub mod modes {}
 ///
 #[cfg_attr(doc, doc = page_picture!("measured", "The measured scenes: floor, cube, smooth sphere, flat sphere"))]
 #[doc = include_str!("benchmarks.md")]
+#[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod benchmarks {}
 
 /// For each quantity (coordinates, distances, sizes, angles), this page gives the range in which accuracy is promised,
@@ -91,4 +96,5 @@ pub mod benchmarks {}
 ///
 #[doc = include_str!("ranges.md")]
 #[doc = include_str!("extremes.md")]
+#[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod limits {}

@@ -25,6 +25,7 @@
 //! | texture coordinates, `quantized_16` | 8 | 4 | 1/131,070 of their range, plus 2⁻²¹ of the texture |
 //! | texture coordinates, `quantized_8` | 8 | 2 | 1/510 of their range, plus 2⁻²¹ of the texture |
 //!
+#![cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #![cfg_attr(doc, doc = page_picture!("quantized", "The same ring with numbers of 32 bits, and quantized"))]
 //! A normal's largest component becomes ±127, and the others are rounded to nearest, halves up. The rounding turns the
 //! normal by at most asin(√½ / 127). The range from the least texture coordinate to the greatest is divided into equal

@@ -57,6 +57,7 @@
 //! assert_eq!((vec3!(200, 0, 0) * fx!(200)).x, Scalar::MAX);
 //! assert_eq!(fx!(-1) / fx!(0), Scalar::MIN);
 //! ```
+#![cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 
 mod angle;
 pub(crate) mod block;

@@ -1,5 +1,6 @@
 //! Shaders: from interpolated values to a color.
 //!
+#![cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #![cfg_attr(doc, doc = page_picture!("shaders", "Balls: flat, by face, by vertex, textured; lit by face, lit, shiny, a cartoon"))]
 //! A surface gives each pixel a color. The last column of the table gives the number of values that the surface
 //! interpolates.

@@ -43,6 +43,7 @@ use crate::shade::{Lanes, Tolerance};
 /// }
 /// let exact = options(Exact);
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an interpolation mode",
     note = "a mode is `Newton`, `Fast`, `Exact`, `Affine` or `Compact`, from `fixel::mode`"

@@ -16,6 +16,7 @@ mod counts;
 mod depths;
 mod golden;
 mod kept_corners;
+mod labels;
 mod mirrors;
 mod objects;
 mod order;
