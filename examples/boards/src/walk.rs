@@ -18,5 +18,5 @@ pub fn draw(
     canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
 ) -> Result<(), Error> {
     let turn = Rate::rpm(6).angle_at(now_ms);
-    world::draw(canvas, Fast::within(fx!(1)), turn)
+    world::draw(canvas, Fast::within(fx!(2)), turn)
 }

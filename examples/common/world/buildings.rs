@@ -167,7 +167,7 @@ pub static WINDOWS: Mesh = {
 
 /// The light around windows, a little in front of the windows.
 pub static HALOS: Mesh = {
-    static POSITIONS: [[i16; 3]; 4 * PANES] = around(5, 2);
+    static POSITIONS: [[i16; 3]; 4 * PANES] = around(4, 2);
     panes(&POSITIONS)
 };
 

@@ -19,7 +19,7 @@ pub const SIDE: usize = 20;
 
 /// `#`: wall, `M`: battlements of the wall, `%`: tower, `H`: house, `G`: gate post, `h`: hedge, `.`: grass, `,`:
 /// gravel, `o`: paving, `~`: water. On grass: `L`: lamp, `C`: cypress, `T`: tree, `b`: bush. Outside of the wall: `c`:
-/// cypress, `t`: tree.
+/// cypress, `t`: tree, seen through the gate; `v`, `u`: the same, of which the wall hides the lower half.
 pub static MAP: [&[u8; SIDE]; SIDE] = [
     b"  t   c t    t  c   ",
     b" t  c      c    t t ",
@@ -94,7 +94,7 @@ const fn cell(x: usize, z: usize) -> Cell {
         b'o' => (2, Some(Paving), Paving),
         b',' => (0, Some(Gravel), Paving),
         b'~' => (WATER, None, Paving),
-        b' ' | b't' | b'c' => (OUTSIDE, None, Stone),
+        b' ' | b't' | b'c' | b'u' | b'v' => (OUTSIDE, None, Stone),
         _ => (0, Some(Grass), Paving),
     };
     Cell { height, top, side }
@@ -364,10 +364,6 @@ const fn points<const N: usize>(kinds: [u8; 2], y: Scalar, jitter: i32) -> [Vec3
 }
 
 pub static LAMPS: [Vec3; count(*b"LL")] = points(*b"LL", fx!(1.6), 0);
-pub static TREES: [Vec3; count(*b"Tt")] = points(*b"Tt", fx!(0), 400);
-pub static CYPRESSES: [Vec3; count(*b"Cc")] = points(*b"Cc", fx!(0), 200);
-pub static BUSHES: [Vec3; count(*b"bb")] = points(*b"bb", fx!(0), 300);
-
 /// The light on plants, at their middle.
 const fn lights<const N: usize>(points: &[Vec3; N], height: i32) -> [Rgb888; N] {
     let mut lights = [Rgb888::new(0, 0, 0); N];
@@ -380,6 +376,34 @@ const fn lights<const N: usize>(points: &[Vec3; N], height: i32) -> [Rgb888; N] 
     lights
 }
 
-pub static LIGHT_OF_TREES: [Rgb888; TREES.len()] = lights(&TREES, 32);
-pub static LIGHT_OF_CYPRESSES: [Rgb888; CYPRESSES.len()] = lights(&CYPRESSES, 24);
-pub static LIGHT_OF_BUSHES: [Rgb888; BUSHES.len()] = lights(&BUSHES, 8);
+/// Plants of a kind, and their size.
+pub struct Plants {
+    pub places: &'static [Vec3],
+    pub lights: &'static [Rgb888],
+    pub size: (Scalar, Scalar),
+}
+
+/// At least as many as there are plants of any kind.
+pub const MOST_PLANTS: usize = 32;
+
+/// Plants on all cells of two kinds: their height above the ground, how far they may be from the middle of their cells,
+/// the height at which they are lit, and their size.
+macro_rules! plants {
+    ($kinds:literal, $y:literal, $jitter:literal, $lit:literal, $width:literal x $height:literal) => {{
+        static PLACES: [Vec3; count(*$kinds)] = points(*$kinds, fx!($y), $jitter);
+        static LIGHTS: [Rgb888; PLACES.len()] = lights(&PLACES, $lit);
+        const { assert!(PLACES.len() <= MOST_PLANTS) };
+        Plants {
+            places: &PLACES,
+            lights: &LIGHTS,
+            size: (fx!($width), fx!($height)),
+        }
+    }};
+}
+
+pub static TREES: Plants = plants!(b"Tt", 0, 400, 32, 3 x 3.4);
+pub static CYPRESSES: Plants = plants!(b"Cc", 0, 200, 24, 1 x 4);
+/// The wall hides the lower halves.
+pub static TREETOPS: Plants = plants!(b"uu", 1.7, 400, 32, 3 x 1.7);
+pub static CYPRESS_TOPS: Plants = plants!(b"vv", 2, 200, 24, 1 x 2);
+pub static BUSHES: Plants = plants!(b"bb", 0, 300, 8, 1 x 0.9);

@@ -28,8 +28,8 @@
 //! The compiler also bakes the light of dusk and lamps into the colors of the meshes' vertices. The program
 //! `pico_world` of examples/boards draws the world in bands.
 //!
-//! The mirror image in the pond is drawn upside down below the water. The ground is drawn before, and hides the mirror
-//! image outside of the pond.
+//! The sky is drawn first, without depth: above the horizon, and what the pond mirrors of it. The mirror image in the pond
+//! is drawn upside down below the water. The ground is drawn before, and hides the mirror image outside of the pond.
 
 // Coordinates of the map, and colors, are small.
 #![allow(clippy::cast_possible_wrap, clippy::cast_sign_loss)]
@@ -46,7 +46,6 @@ use embedded_graphics::Drawable;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
@@ -54,7 +53,7 @@ use fixel::mode::Mode;
 use fixel::prelude::*;
 use fixel::texture::Argb1555;
 
-use paint::Painted;
+use paint::{Evenly, Painted};
 
 const STOPS: usize = 8;
 /// The viewer's stops on the map.
@@ -129,15 +128,16 @@ pub fn draw(
 
     canvas.clear(sky::HAZE.into());
     let (above, below) = (World::upright(), World::mirrored());
-    let pond = (canvas.viewport()).rectangle_on_screen(&POND, &scene.view, 0);
-    let pond = pond.filter(|_| canvas.is_in_view(&scene.options, &POND, &scene.view));
-    scene.draw(canvas, &above, None)?;
-    if pond.is_some() {
-        // The ground hides the mirror image everywhere except in the pond.
-        scene.draw(canvas, &below, pond)?;
-    }
+    let shows_pond = canvas.is_in_view(&scene.options, &POND, &scene.view);
     sky::draw(canvas, &scene.options, &(projection * camera.sky()))?;
-    if pond.is_some() {
+    if shows_pond {
+        let surface = [POND.least, POND.most].map(|at| Vec3::new(at.x, WATER, at.z));
+        sky::mirror(canvas, &scene.options, &scene.view, eye, surface)?;
+    }
+    scene.draw(canvas, &above)?;
+    if shows_pond {
+        // The ground hides the mirror image everywhere except in the pond.
+        scene.draw(canvas, &below)?;
         scene.glows(canvas, &below)?;
         scene.water(canvas)?;
     }
@@ -160,6 +160,7 @@ pub fn draw(
 /// The world above the water, or its mirror image.
 struct World {
     model: Transform,
+    is_mirrored: bool,
     layers: &'static [(&'static map::Layer, &'static textures::Tile)],
 }
 
@@ -175,6 +176,7 @@ impl World {
         ];
         Self {
             model: Transform::IDENTITY,
+            is_mirrored: false,
             layers: &LAYERS,
         }
     }
@@ -189,9 +191,40 @@ impl World {
             Transform::translate(Vec3::Y * (WATER * 2)) * Transform::scale_axes(vec3!(1, -1, 1));
         Self {
             model: down,
+            is_mirrored: true,
             layers: &LAYERS,
         }
     }
+}
+
+/// Whether the pond may show the mirror image of a box to an eye.
+///
+/// Let the eye be e above the water, and a point h. The line from the eye to the point's mirror image meets the water after
+/// the part e / (e + h) of its length. Seen from above, this is between the point, where h is 0, and `s` of the way to it,
+/// where h is the height of the box. So the pond does not show the box if the pond is north, south, east or west of the
+/// box and of its copy at `s` of the distance, or if a line through the eye separates pond and box.
+fn mirrors(eye: Vec3, bounds: &Bounds) -> bool {
+    let above = eye.y - WATER;
+    let s = above / (above + (bounds.most.y - WATER).max(fx!(0)));
+    let across = |vec: Vec3| [vec.x, vec.z];
+    let (eye, pond) = (across(eye), [POND.least, POND.most].map(across));
+    let ends = [bounds.least, bounds.most].map(across);
+    let is_beside = |axis: usize| {
+        let nearer = ends.map(|end| eye[axis] + (end[axis] - eye[axis]) * s);
+        ends[1][axis].max(nearer[1]) < pond[0][axis] || ends[0][axis].min(nearer[0]) > pond[1][axis]
+    };
+    if is_beside(0) || is_beside(1) {
+        return false;
+    }
+    // On which sides of the lines to the box's corners the pond's corners are.
+    let corner =
+        |ends: &[[Scalar; 2]; 2], at: usize| [ends[at & 1][0] - eye[0], ends[at >> 1][1] - eye[1]];
+    let sides = (0..16).map(|at| {
+        let ([x, z], [u, v]) = (corner(&ends, at & 3), corner(&pond, at >> 2));
+        x * v > z * u
+    });
+    let left = sides.filter(|&is_left| is_left).count();
+    left != 0 && left != 16
 }
 
 /// The view of a frame.
@@ -203,12 +236,11 @@ struct Scene<M> {
 }
 
 impl<M: Mode> Scene<M> {
-    /// Draws all solid surfaces, or at least those that reach into a window.
+    /// Draws all solid surfaces; of the mirror image, at least those that the pond shows.
     fn draw(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         world: &World,
-        window: Option<Rectangle>,
     ) -> Result<(), Error> {
         let (mvp, options) = (self.view * world.model, &self.options);
         // From front to back, so that most hidden pixels are never shaded.
@@ -219,7 +251,7 @@ impl<M: Mode> Scene<M> {
         });
         for block in blocks {
             let bounds = &map::BOUNDS[block];
-            if !self.shows(canvas, window, bounds, &mvp) {
+            if !self.shows(canvas, world, bounds, &mvp) {
                 continue;
             }
             for (layer, texture) in world.layers {
@@ -235,57 +267,62 @@ impl<M: Mode> Scene<M> {
         canvas.draw_with(options, &buildings::WINDOWS, &mvp, &panes);
         for (lamp, &flame) in map::LAMPS.iter().enumerate() {
             let least = flame - vec3!(0.2, 1.6, 0.2);
-            if self.shows(
-                canvas,
-                window,
-                &Bounds::new(least, flame + vec3!(0.2, 0.3, 0.2)),
-                &mvp,
-            ) {
+            let bounds = Bounds::new(least, flame + vec3!(0.2, 0.3, 0.2));
+            if self.shows(canvas, world, &bounds, &mvp) {
                 canvas.draw_with(options, &buildings::lamp(lamp), &mvp, &Gouraud::new());
             }
         }
 
-        let plants = |places, size, colors| {
-            Sprites::new(places, size)?
-                .with_axis(Vec3::Y)?
-                .with_anchor(vec2!(0.5, 1))
-                .with_colors(colors)
-        };
-        // The plants turn about their stems to face the viewer.
-        let trees = plants(&map::TREES, (fx!(3), fx!(3.4)), &map::LIGHT_OF_TREES)?;
-        self.plants(canvas, &trees, &mvp, &textures::TREE);
-        let cypresses = plants(&map::CYPRESSES, (fx!(1), fx!(4)), &map::LIGHT_OF_CYPRESSES)?;
-        self.plants(canvas, &cypresses, &mvp, &textures::CYPRESS);
-        let bushes = plants(&map::BUSHES, (fx!(1), fx!(0.9)), &map::LIGHT_OF_BUSHES)?;
-        self.plants(canvas, &bushes, &mvp, &textures::BUSH);
-        Ok(())
+        let seen = (world, &mvp);
+        self.plants(canvas, seen, &map::TREES, &textures::TREE)?;
+        self.plants(canvas, seen, &map::TREETOPS, textures::TREETOP)?;
+        self.plants(canvas, seen, &map::CYPRESSES, &textures::CYPRESS)?;
+        self.plants(canvas, seen, &map::CYPRESS_TOPS, textures::CYPRESS_TOP)?;
+        self.plants(canvas, seen, &map::BUSHES, &textures::BUSH)
     }
 
-    /// Whether something in a box may have pixels in a canvas, and reaches into a window.
+    /// Whether something in a box of the world above may have pixels in a canvas; in the mirror image, only if the pond
+    /// may show it.
     fn shows(
         &self,
         canvas: &Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
-        window: Option<Rectangle>,
+        world: &World,
         bounds: &Bounds,
         mvp: &Mvp,
     ) -> bool {
-        canvas.is_in_view(&self.options, bounds, mvp)
-            && window.is_none_or(|window| {
-                let rectangle = canvas.viewport().rectangle_on_screen(bounds, mvp, 0);
-                rectangle.is_some_and(|it| !it.intersection(&window).is_zero_sized())
-            })
+        (!world.is_mirrored || mirrors(self.eye, bounds))
+            && canvas.is_in_view(&self.options, bounds, mvp)
     }
 
-    /// Draws plants of one kind.
+    /// Draws plants of one kind. They turn about their stems to face the viewer.
     fn plants<const W: usize, const H: usize>(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
-        plants: &Sprites<'_>,
-        mvp: &Mvp,
+        (world, mvp): (&World, &Mvp),
+        plants: &map::Plants,
         texture: &[[Argb1555; W]; H],
-    ) {
-        let leaves = Painted(Textured::new(texture).clamped());
-        canvas.draw_with(&self.options, plants, mvp, &leaves);
+    ) -> Result<(), Error> {
+        let (half, height) = (plants.size.0 / 2, plants.size.1);
+        let (mut places, mut lights) = (
+            [Vec3::ZERO; map::MOST_PLANTS],
+            [RgbColor::BLACK; map::MOST_PLANTS],
+        );
+        let mut count = 0;
+        for (&place, &light) in plants.places.iter().zip(plants.lights) {
+            let least = place - Vec3::new(half, fx!(0), half);
+            let most = place + Vec3::new(half, height, half);
+            if !world.is_mirrored || mirrors(self.eye, &Bounds::new(least, most)) {
+                (places[count], lights[count]) = (place, light);
+                count += 1;
+            }
+        }
+        let sprites = Sprites::new(&places[..count], plants.size)?
+            .with_axis(Vec3::Y)?
+            .with_anchor(vec2!(0.5, 1))
+            .with_colors(&lights[..count])?;
+        let leaves = Evenly(Textured::new(texture).clamped());
+        canvas.draw_with(&self.options, &sprites, mvp, &leaves);
+        Ok(())
     }
 
     /// Draws the water's surface. The mirror image is visible through it.
@@ -325,13 +362,20 @@ impl<M: Mode> Scene<M> {
         let glow = Textured::new(&textures::GLOW).clamped();
         let mvp = self.view * world.model;
         canvas.draw_with(&shine, &buildings::HALOS, &mvp, &glow);
-        // The lamps flicker, each at its own time.
-        let scales: [Scalar; map::LAMPS.len()] = core::array::from_fn(|lamp| {
-            let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
-            fx!(1) + fx!(0.05) * wave
-        });
-        let sprites = Sprites::new(&map::LAMPS, (fx!(1.4), fx!(1.4)))?.with_scales(&scales)?;
         let glow = Textured::new(&textures::LAMPLIGHT).clamped();
+        let (mut places, mut scales) = (map::LAMPS, [fx!(1); map::LAMPS.len()]);
+        let mut count = 0;
+        for (lamp, &flame) in map::LAMPS.iter().enumerate() {
+            let reach = vec3!(0.63, 0.63, 0.63);
+            if !world.is_mirrored || mirrors(self.eye, &Bounds::new(flame - reach, flame + reach)) {
+                // The lamps flicker, each at its own time.
+                let wave = (self.turn * (31 + 2 * lamp as i32)).sin();
+                (places[count], scales[count]) = (flame, fx!(1) + fx!(0.05) * wave);
+                count += 1;
+            }
+        }
+        let sprites =
+            Sprites::new(&places[..count], (fx!(1.2), fx!(1.2)))?.with_scales(&scales[..count])?;
         canvas.draw_with(&shine, &sprites, &mvp, &glow);
         Ok(())
     }
@@ -355,5 +399,46 @@ impl<M: Mode> Scene<M> {
                 let Ok(_) = text.draw(&mut canvas.label(at));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether the water mirrors some of the points in a box to an eye inside the pond's edges.
+    fn mirrors_points(eye: Vec3, bounds: &Bounds) -> bool {
+        let part = |axis: usize, of: i32| {
+            let [least, most] = [bounds.least, bounds.most].map(|end| end.to_bits()[axis]);
+            f64::from(least) + f64::from(most - least) * f64::from(of) / 8.0
+        };
+        let [x, y, z] = eye.to_bits().map(f64::from);
+        let (pond, water) = ([8.0 * 65536.0, 12.0 * 65536.0], f64::from(WATER.to_bits()));
+        (0..9 * 9 * 9).any(|at| {
+            let (px, py, pz) = (part(0, at % 9), part(1, at / 9 % 9), part(2, at / 81));
+            let s = (y - water) / (y - water + (py - water).max(0.0));
+            let meets = [x + (px - x) * s, z + (pz - z) * s];
+            meets.iter().all(|at| pond[0] < *at && *at < pond[1])
+        })
+    }
+
+    #[test]
+    fn everything_that_the_pond_mirrors_is_drawn() {
+        let (mut seen, mut left_out) = (0, 0);
+        for turn in (0..64).map(|turn| Angle::from_bits(turn << 26)) {
+            let (eye, _) = viewer(turn);
+            for place in map::BOUNDS.iter().copied().chain(map::LAMPS.map(|flame| {
+                Bounds::new(flame - vec3!(0.2, 1.6, 0.2), flame + vec3!(0.2, 0.3, 0.2))
+            })) {
+                let is_seen = mirrors_points(eye, &place);
+                assert!(mirrors(eye, &place) || !is_seen, "{place:?} from {eye:?}");
+                seen += usize::from(is_seen);
+                left_out += usize::from(!mirrors(eye, &place));
+            }
+        }
+        assert!(
+            seen > 100 && left_out > 100,
+            "{seen} seen, {left_out} left out"
+        );
     }
 }

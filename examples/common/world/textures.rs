@@ -220,6 +220,10 @@ pub static TREE: [[Argb1555; 64]; 64] = plant!(64 x 64, [86, 124, 60], |x, y| {
     }
 });
 
+/// The upper halves of these two.
+pub static TREETOP: &[[Argb1555; 64]; 32] = TREE.first_chunk().unwrap();
+pub static CYPRESS_TOP: &[[Argb1555; 32]; 64] = CYPRESS.first_chunk().unwrap();
+
 /// A bush with blossoms.
 pub static BUSH: [[Argb1555; 32]; 32] = plant!(32 x 32, [92, 120, 74], |x, y| {
     let (aside, up) = ((2 * x).abs_diff(31), 62 - 2 * y);
@@ -233,7 +237,8 @@ pub static BUSH: [[Argb1555; 32]; 32] = plant!(32 x 32, [92, 120, 74], |x, y| {
 
 type Glow = [[Rgb565; 32]; 32];
 
-/// A glow: in its middle, it has this color, and it fades toward its edge. The core of a lamp is much brighter.
+/// A glow: in its middle, it has this color, and it fades toward its edge, where it is less than a step of the color. The
+/// core of a lamp is much brighter.
 const fn glow([r, g, b]: [u32; 3], has_core: bool) -> Glow {
     let mut texels = [[Rgb565::new(0, 0, 0); 32]; 32];
     let mut at = 0_u32;
@@ -248,10 +253,10 @@ const fn glow([r, g, b]: [u32; 3], has_core: bool) -> Glow {
     texels
 }
 
-/// The light at the square of a distance, of which the edge has 31²: from 0 to 2^16.
+/// The light at the square of a distance, of which the edge has 31²: from 0 to 2^16. It would be 0 at 36².
 const fn fading(square: u32) -> u32 {
-    let inside = 961_u32.saturating_sub(square);
-    inside * inside / 14
+    let inside = 1296_u32.saturating_sub(square);
+    inside * inside / 26
 }
 
 pub static GLOW: Glow = glow([15, 18, 5], false);
