@@ -25,7 +25,7 @@ fn light_at(corner: &Corner<'_>) -> [i32; 3] {
 }
 
 /// A texel in a light.
-#[inline(always)]
+#[inline]
 fn lit(texel: Rgb565, [r, g, b]: [i32; 3]) -> Rgb565 {
     let times = |channel: u8, light: i32| ((i32::from(channel) * light + 0x8000) >> 16) as u8;
     Rgb565::new(
