@@ -222,8 +222,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// An additional movement toward the eye on slopes: this number times the depth difference between neighboring
-    /// pixels.
+    /// How far depths also move toward the eye on sloping surfaces, as a multiple of the depth difference between
+    /// neighboring pixels.
     pub slope: Scalar,
 }
 

@@ -259,8 +259,8 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// Triangles are compared by the farthest corners of their visible parts, with a precision of 2⁻²⁵ of the distance.
     /// Triangles that are equally far away keep their order: in a mesh, the order of its faces or edges; between
-    /// objects, the order of the slice. The method is heap sort, which needs no further memory, and at most 2 n log₂ n
-    /// comparisons for n visible triangles.
+    /// objects, the order of the slice. The method is heap sort: it needs no further memory, and makes at most
+    /// 2 n log₂ n comparisons for n visible triangles.
     ///
     /// The table compares a sorted list with a depth buffer of 320x240 pixels, which takes 150 KiB. The numbers are
     /// means over eight poses of each scene, as the project's program `kernels painter` prints them. The instructions

@@ -96,8 +96,7 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     /// | mipmapped, bilinear | 4.73 | 6.26 | 7.05 |
     /// | mipmapped, trilinear | 4.67 | 6.06 | 6.42 |
     ///
-    /// A bilinear filter also softens the edges of near squares. If each triangle had one level, instead of one level
-    /// per pixel, the difference would be 37 for 8 repeats.
+    /// A bilinear filter also softens the edges of near squares.
     ///
     /// # Cost
     ///

@@ -91,8 +91,8 @@
 //!
 //! By hand: a quarter turn about x, and then a quarter turn about y. The sine and the cosine of half of 90° are equal,
 //! so *q*₁ = (1, 1, 0, 0)/√2 and *q*₂ = (1, 0, 1, 0)/√2, with *w* first. By the rule, *q*₂*q*₁ = (1, 1, 1, −1)/2: the
-//! last number comes from y × x = −z. The cosine of half the angle is ½, so the two quarter turns are **a third of a
-//! turn about (1, 1, −1)**.
+//! last number comes from y × x = −z. The product's *w* is ½, the cosine of half its angle. So half the angle is 60°,
+//! and the two quarter turns are **a third of a turn about (1, 1, −1)**.
 //!
 //! ```
 //! use fixel::prelude::*;
