@@ -50,7 +50,7 @@ pub mod mathematics;
 #[cfg_attr(doc, doc = include_str!("diagrams/axes.svg"))]
 ///
 #[doc = include_str!("coming_from.md")]
-// Of the tables, only that of the conventions scrolls on a phone: the others shall show both columns.
+// On a phone, tables of three columns scroll. In tables of two, both columns fit.
 #[doc = "\n<style>.docblock tr:has(> :nth-child(3)) code { overflow-wrap: break-word }</style>"]
 pub mod coming_from {}
 

@@ -8,8 +8,8 @@ use crate::num::Scalar;
 /// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
 /// [`Mesh::outline`](crate::Mesh::outline).
 ///
-/// A line advances in steps of one pixel along x or y, whichever changes more along the line. At each step, it draws a
-/// run of pixels at right angles to this axis. A line from a to b has the same pixels as a line from b to a.
+/// A line is drawn in steps of one pixel: along y if the line is steep (y changes more than x), otherwise along x. Each
+/// step draws a run of pixels at right angles to this axis. A line from a to b has the same pixels as a line from b to a.
 ///
 /// A run has the pixels whose centers are at most half the width away from the line, measured along the run. A center
 /// exactly at the upper or left end of the run does not belong to it; a center at the lower or right end does. So a

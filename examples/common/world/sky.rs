@@ -18,7 +18,8 @@ const BALL: Mesh = shape!(sphere(SLICES, STACKS))
     .without_uvs()
     .without_normals();
 const CORNERS: usize = ((SLICES + 1) * (STACKS + 1)) as usize;
-/// The faces above the horizon, which are drawn. All rows have two faces for each slice, but the first and the last have one.
+/// The faces above the horizon, which are drawn. All rows have two faces for each slice, but the first and the last have
+/// one.
 const ABOVE: usize = (SLICES * (STACKS - 1)) as usize;
 
 /// The color in a direction of length 1: dark blue above, purple haze in the east, and the afterglow of the sun in the
@@ -132,7 +133,7 @@ pub fn mirror(
     eye: Vec3,
     [least, most]: [Vec3; 2],
 ) -> Result<(), Error> {
-    let part = (most - least) / fx!(4);
+    let part = (most - least) / fx!(const GRID as u32);
     let points: [Vec3; POINTS] = core::array::from_fn(|at| {
         let (row, column) = ((at / (GRID + 1)) as i32, (at % (GRID + 1)) as i32);
         least + Vec3::new(part.x * column, part.y, part.z * row)
