@@ -60,8 +60,8 @@
 #![cfg_attr(not(doctest), doc = program!("needle"))]
 //!
 #![doc = page_picture!(# "A round panel", "displays/", "round")]
-//! A round panel does not show the corners of the frame, which are a fifth of the frame. Let each band have 16 rows,
-//! and be as wide as the circle in these rows (on the right in the picture). Then 15 % of the pixels are neither drawn
+//! A round panel does not show the corners of the frame, which are a fifth of the frame. Give each band 16 rows,
+//! and the circle's greatest width in these rows (on the right in the picture). Then 15 % of the pixels are neither drawn
 //! nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![cfg_attr(not(doctest), doc = program!("round"))]

@@ -155,7 +155,7 @@
 //! screen, the middle of the segment's picture would show the distance 2.5. The true distance there is 1.6. A depth
 //! test would let the wrong surface win, and a texture that is interpolated in this way bends along the diagonal of
 //! each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode [`Affine`](crate::mode::Affine) skips the
-//! division on purpose; [its error](crate::guide::modes#affine) has a formula.
+//! division on purpose; [a formula](crate::guide::modes#affine) gives its error.
 //!
 //! </div>
 //!
