@@ -206,7 +206,8 @@ class Rp2350(Chip):
     def count(self, emulator, address, size, _):
         core = self.running
         if core.time >= core.limit or self.is_due(core):
-            emulator.emu_stop()  # before this block
+            core.at = address  # before this block; older versions of Unicorn still have another PC then
+            emulator.emu_stop()
         else:
             core.lowest = min(core.lowest, emulator.reg_read(UC_ARM_REG_SP))
             core.time += core.pace * self.block(address, size)
