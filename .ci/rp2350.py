@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Runs a program of the Pico 2 on two emulated cores, with a model of the registers that it needs, and of its display.
 
-rp2350.py PROGRAM PICTURE.ppm [--slow CORE]
+rp2350.py PROGRAM PICTURE.ppm [--slow CORE] [--panic]
 
 The program is an ELF file or a UF2. Writes what the display shows after some frames, and prints what stm32f4.py prints,
 with the stack of each core that runs. The instructions of a frame are the time in which a core works, not the sum of
-both. With --slow, a core takes three times as long, so that the cores finish their bands in another order.
+both. With --slow, a core takes three times as long, so that the cores finish their bands in another order. With --panic,
+frames are on their way when a core reads another number of its own than 0 and 1, once, which rp235x-hal answers with a
+panic. Then writes what the display shows, and prints the times in ms for which the LED is on, off, on, ... until a
+pause, and the stack of each core.
 
 Registers have the addresses of the RP2350's data sheet. Core 0 begins where the chip's boot ROM would jump to, if the
 program has the block that the boot ROM looks for. Each core has its own time, counted in instructions, and the one that
@@ -15,6 +18,7 @@ it and a core sleeps, which is the last moment at which a program can wait for i
 import argparse
 import collections
 import ctypes
+import itertools
 import mmap
 import struct
 import sys
@@ -31,7 +35,7 @@ FAMILY = 0xE48BFF59  # of UF2s for the secure state of the Arm cores
 BLOCK = (0xFFFFDED3, 0x10210142, 0x1FF, 0, 0xAB123579)  # a program for these cores, and no other block
 MODEL, MAGIC = 0x10040000, 0x6D786966  # where a model begins in flash, and its first word
 WFE, SEV = b"\x20\xbf", b"\x40\xbf"
-CS, DC, SCK, DATA, LIGHT = 17, 16, 18, 19, 21
+CS, DC, SCK, DATA, LIGHT, LED = 17, 16, 18, 19, 21, 25
 FUNCTION_SPI, FUNCTION_SIO = 1, 5
 CRYSTAL_HZ = 12e6
 
@@ -54,9 +58,10 @@ DMA_INTERRUPT, SPI_REQUEST = 10, 24
 SIO = 0xD0000000
 SIO_SET, SIO_CLEAR, SIO_LOCKS = SIO + 0x18, SIO + 0x20, SIO + 0x100
 FIFO_STATUS, FIFO_WRITE, FIFO_READ = SIO + 0x50, SIO + 0x54, SIO + 0x58
-ENABLED_INTERRUPTS, VECTORS = 0xE000E100, 0xE000ED08
-PRIVATE = [(0xE0000000, 0x100000)]  # a core's own registers
-REGISTERS = [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000)]
+# The cores' own registers. What the cores write there is the same, or only one of them uses it.
+TICKS, TICKS_RELOAD, ENABLED_INTERRUPTS, VECTORS = 0xE000E010, 0xE000E014, 0xE000E100, 0xE000ED08
+REGISTERS = [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000), (0xE000E000, 0x1000)]
+PAUSE_MS = 700  # the LED blinked
 
 
 class Core:
@@ -99,11 +104,12 @@ class Rp2350(Chip):
         self.cores = [Core(number, self.memory) for number in range(2)]
         self.running, second = self.cores
         self.launch, self.idle, self.requested, self.times, self.ready = [], 0, False, [], 0
-        super().__init__(program, self.running.emulator, PRIVATE, REGISTERS)
-        self.connect(second.emulator, PRIVATE, REGISTERS)
+        self.seeds, self.ticks, self.blinks = 0, 0, []
+        super().__init__(program, self.running.emulator, [], REGISTERS)
+        self.connect(second.emulator, [], REGISTERS)
         code = self.core.mem_read(FLASH, 0x40000)
+        self.registers[VECTORS] = FLASH
         for core in self.cores:
-            core.emulator.mem_write(VECTORS, struct.pack("<I", FLASH))
             for at in range(0, len(code), 2):
                 if code[at : at + 2] in (WFE, SEV):
                     core.emulator.hook_add(UC_HOOK_CODE, self.sleep, begin=FLASH + at, end=FLASH + at)
@@ -147,8 +153,9 @@ class Rp2350(Chip):
         return 4 if code[1] >= 0xE8 else 2
 
     def run(self):
-        """Runs the core that is behind, of those that do not sleep, until the display has shown all frames."""
-        while len(self.display.frames) < FRAMES:
+        """Runs the core that is behind, of those that do not sleep, until the display has shown all frames, or the LED
+        has blinked."""
+        while len(self.display.frames) < FRAMES and not (self.blinks and self.now_ms() > self.blinks[-1] + PAUSE_MS):
             core = min((core for core in self.cores if core.runs and not core.asleep), key=lambda core: core.time,
                        default=None)
             end = self.end()
@@ -172,9 +179,7 @@ class Rp2350(Chip):
         self.send()
         self.registers[DMA_RAW] |= 1
         self.requested = bool(self.registers[DMA_ENABLE] & 1)
-        # The core's own registers are its own.
-        self.running, self.core = first, first.emulator
-        if self.requested and not self.word(ENABLED_INTERRUPTS) >> DMA_INTERRUPT & 1:
+        if self.requested and not self.registers[ENABLED_INTERRUPTS] >> DMA_INTERRUPT & 1:
             sys.exit(f"interrupt {DMA_INTERRUPT} is not enabled")
         if first.asleep and self.is_due(first):
             first.wake(end)
@@ -216,6 +221,10 @@ class Rp2350(Chip):
     def instructions(self):
         return self.running.time - self.idle
 
+    def now_ms(self):
+        """The time by the cores' own timers."""
+        return 1000 * self.ticks / self.CLOCK_HZ
+
     def stacks(self):
         return [core.top - core.lowest for core in self.cores if core.runs]
 
@@ -245,7 +254,7 @@ class Rp2350(Chip):
 
     def moment(self, number):
         """The program asks for the time of a frame before it draws the frame. The first frame only clears."""
-        return self.asked[number - 1] if number else 0
+        return self.asked[:number][-1] if number else 0
 
     def begin(self, transfer, size):
         super().begin(transfer, size)
@@ -329,7 +338,12 @@ class Rp2350(Chip):
         if address == DMA_CONTROL:
             return value | (self.transfer is not None) << 26
         if address == SIO:
-            return self.running.number
+            is_seed = self.seeds > 0 and len(self.display.frames) > 2
+            self.seeds -= is_seed
+            return 2 if is_seed else self.running.number
+        if address == TICKS and value & 1:  # the program waits until the counter is 0, or is about to write
+            self.ticks += self.registers[TICKS_RELOAD] + 1
+            return value | 1 << 16
         if address == FIFO_STATUS:
             return 0b10 | bool(self.running.words)
         if address == FIFO_READ:
@@ -350,6 +364,9 @@ class Rp2350(Chip):
         if address == DMA_STATUS:
             self.registers[DMA_RAW] &= ~value
             self.requested = bool(self.registers[DMA_RAW] & self.registers[DMA_ENABLE] & 1)
+        elif address == TICKS:
+            self.ticks -= (self.registers[TICKS] & 1) * (self.registers[TICKS_RELOAD] + 1)
+            self.registers[TICKS] = value & 7
         elif address == FIFO_WRITE:
             self.write_fifo(value)
         elif address == POWER_OFF:
@@ -389,6 +406,9 @@ class Rp2350(Chip):
         if (cs or dc) and self.queue:
             sys.exit(f"a pin changed before the last {len(self.queue)} bytes were on the bus")
         self.display.pins(cs, dc, high)
+        # After a panic, from the first time on at which the LED is on, every change counts.
+        if value >> LED & 1 and self.ticks and high != len(self.blinks) % 2:
+            self.blinks.append(self.now_ms())
         if value >> LIGHT & 1:
             if high and not self.display.frames:
                 sys.exit("the backlight is on before the display is cleared")
@@ -400,11 +420,19 @@ if __name__ == "__main__":
     parser.add_argument("program")
     parser.add_argument("picture")
     parser.add_argument("--slow", type=int, choices=[0, 1])
+    parser.add_argument("--panic", action="store_true")
     options = parser.parse_args()
     chip = Rp2350(options.program)
     if options.slow is not None:
         chip.cores[options.slow].pace = 3
+    chip.seeds = int(options.panic)
     chip.run()
     if not chip.is_lit:
         sys.exit("the backlight is off")
-    chip.report(options.picture)
+    if options.panic:
+        chip.display.execute()
+        chip.display.write(options.picture)
+        times = (round(after - before) for before, after in zip(chip.blinks, chip.blinks[1:]))
+        print(*itertools.takewhile(lambda time: time <= PAUSE_MS, times), *chip.stacks())
+    else:
+        chip.report(options.picture)
