@@ -197,7 +197,8 @@
 //! ```
 //!
 //! A *mode* decides how exactly textures and colors follow perspective: see [Choosing a mode](crate::guide::modes).
-//! Modes, depth tests and blendings are types: those that you do not name add no code. Culling and viewport are values.
+//! Modes, depth tests and blendings are types: those that you do not name add no code. Culling and viewport are values,
+//! which can change at run time.
 //!
 //! # Canvas
 //!

@@ -21,8 +21,8 @@
     {prime(y) to -n frac(v[y])(v[z])}
 )]
 //!
-//! The vanishing point is also the image of the point *v* itself, or of −*v* if *v* points backward: the line of sight
-//! to a vanishing point is parallel to the lines that meet there.
+//! The vanishing point is also the image of the point *v* (or of −*v*, if *v* points backward), because the line of
+//! sight to a vanishing point is parallel to the lines that meet there.
 //! [`Projection::vanishing_point`](crate::Projection::vanishing_point) computes the vanishing point.
 //!
 //! ```
