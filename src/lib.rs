@@ -220,9 +220,10 @@
 //!                   └─ Native::store  as a color; others as bytes            canvas/
 //! ```
 //!
-//! The column on the right names the folder. `Adapted`, which `.lit(light)` makes, stands for any shader, and `Native`
-//! for any storage. `Blit::draw` cuts each row into spans of up to 64 pixels, and draws each span by a kernel, one of
-//! four loops over pixels: straight, pieces, Newton or divide. The [mode] chooses the kernel for each span.
+//! The column on the right names the folder. In this example, the shader is an `Adapted`, which `.lit(light)` makes,
+//! and the canvas stores colors in the format `Native`. `Blit::draw` cuts each row into spans of up to 64 pixels, and
+//! draws each span by a kernel, one of four loops over pixels: straight, pieces, Newton or divide. The [mode] chooses
+//! the kernel for each span.
 //!
 //! Each folder depends only on the folders before it in this list: `num`, `math`, `view`, `mesh`, `texture`, `shade`,
 //! `canvas`, `raster`, `span`, `pipeline`. Inside the crate, an import names the folder that owns an item
@@ -297,7 +298,8 @@ pub mod shade;
 mod span;
 pub mod textbook;
 
-/// How varyings are interpolated: the trait [`Mode`](mode::Mode) and its five implementations.
+/// How textures, colors and other varyings are interpolated: the trait [`Mode`](mode::Mode) and its five
+/// implementations.
 ///
 /// Mathematics explains [why each pixel needs the reciprocal of 1/w](crate::guide::mathematics::pixels#an-attribute),
 /// and [how the faster modes avoid a division](crate::guide::mathematics::fixed_point#fixed-point) at every pixel.

@@ -65,13 +65,13 @@ macro_rules! vector {
                 Self { $($part: component),+ }
             }
 
-            /// Returns the smaller of each pair of components.
+            /// Returns the component-wise minimum of two vectors.
             #[must_use]
             pub fn min(self, other: Self) -> Self {
                 Self::new($(self.$part.min(other.$part)),+)
             }
 
-            /// Returns the larger of each pair of components.
+            /// Returns the component-wise maximum of two vectors.
             #[must_use]
             pub fn max(self, other: Self) -> Self {
                 Self::new($(self.$part.max(other.$part)),+)

@@ -14,7 +14,7 @@ use crate::num::rsqrt::{measure, unit};
 /// | `a * k`, `k * a`, `a *= k` | to nearest, halves up |
 /// | `a / k`, `a /= k`, `a / n` with an `i32` | to nearest, halves away from zero |
 ///
-/// Division by zero saturates each component by its sign; 0/0 is 0.
+/// Division by zero turns a positive component into the highest number, and a negative one into the lowest; 0/0 is 0.
 ///
 /// ```
 /// use fixel::{Vec3, fx, vec3};

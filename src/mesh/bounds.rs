@@ -7,8 +7,8 @@ use crate::math::Vec3;
 ///
 /// A mesh [keeps](Mesh::with_bounds) its box, so that a draw call ends after one test if the mesh is out of view.
 /// [`Canvas::is_in_view`](crate::Canvas::is_in_view) uses the box to tell whether a mesh may have pixels in the canvas,
-/// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) tells which pixels these may be. If the
-/// box is stored in a `static`, the compiler computes it:
+/// and [`Viewport::rectangle_on_screen`](crate::Viewport::rectangle_on_screen) returns a rectangle that contains these
+/// pixels. If the box is stored in a `static`, the compiler computes it:
 ///
 /// ```
 /// use fixel::mesh::Bounds;

@@ -2,8 +2,8 @@
 
 use super::{Index, Mesh};
 
-/// How many elements each list of a mesh has. [`Buffers`](super::Buffers) need room for these elements, except
-/// `uv_faces` and `normal_faces`.
+/// How many elements each list of a mesh has. Each slice of [`Buffers`](super::Buffers) needs room for the elements of
+/// its list.
 ///
 /// ```
 /// use fixel::mesh::Shape;
@@ -22,12 +22,12 @@ pub struct Counts {
     pub edges: usize,
     /// Texture coordinates.
     pub uvs: usize,
-    /// Triangles in the list of indices of texture coordinates; 0 if texture coordinates are indexed like the
-    /// positions.
+    /// Triangles in the texture coordinates' own list of faces; 0 if texture coordinates have no such list, but one
+    /// value per position.
     pub uv_faces: usize,
     /// Normals.
     pub normals: usize,
-    /// Triangles in the list of indices of normals; 0 if normals are indexed like the positions.
+    /// Triangles in the normals' own list of faces; 0 if normals have no such list, but one value per position.
     pub normal_faces: usize,
     /// Colors.
     pub colors: usize,

@@ -70,7 +70,7 @@ pub const fn quantized_positions<const N: usize>(positions: &[Vec3]) -> ([[i16; 
 ///
 /// # Panics
 ///
-/// If the list has fewer than `N` elements; the same holds for the functions below.
+/// If the list has fewer than `N` elements. `quantized_16` and `quantized_8` panic in the same case.
 #[must_use]
 pub const fn normals_of_8<const N: usize>(normals: &[Vec3]) -> [[i8; 3]; N] {
     let mut short = [[0; 3]; N];

@@ -11,8 +11,9 @@ use crate::num::wide::product;
 
 /// Two poses of one mesh that can be blended: their positions, and their normals if both poses have normals.
 ///
-/// Both meshes need the same faces. Texture coordinates, colors and edges come from the first mesh. If keyframes are a
-/// `static`, the compiler checks them, and the flash holds only the positions and normals of the second mesh.
+/// Each pose is a mesh, and both meshes need the same faces. Texture coordinates, colors and edges come from the first
+/// mesh. If keyframes are a `static`, the compiler checks them. Flash then holds the whole first mesh, but only the
+/// positions and normals of the second mesh.
 ///
 /// An animation of many poses is an array of `Keyframes`, with one element for each step from a pose to the next: at a
 /// time of 3.25 steps, call `STEPS[3].blend(fx!(0.25), …)`.
@@ -95,9 +96,8 @@ impl<'a> Keyframes<'a> {
     /// # Errors
     ///
     /// [`Error::Count`] if the meshes differ in how many positions, faces or normals they have. [`Error::FacesDiffer`]
-    /// if a face of the first mesh differs from the same face of the second mesh in its position indices or, if both
-    /// meshes have normals, in its normal indices. If the normals of two files do not match, drop them with
-    /// [`Mesh::without_normals`].
+    /// if a face has different position indices in the two meshes, or different normal indices although both meshes
+    /// have normals. If the normals of two files do not match, drop them with [`Mesh::without_normals`].
     pub const fn new(first: &Mesh<'a>, second: &Mesh<'a>) -> Result<Self, Error> {
         let positions = second.positions();
         ok!(check_length(

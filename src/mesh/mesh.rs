@@ -15,8 +15,9 @@ use crate::message;
 #[cfg_attr(doc, doc = include_str!("../guide/diagrams/winding.svg"))]
 ///
 /// Texture coordinates, normals and colors are attributes. An attribute has either one value per position, or its own
-/// list of `faces`: three indices per triangle, as in an OBJ file. With its own `faces`, a position may have a
-/// different value in each triangle, and a corner without a value has the index [`NO_VALUE`](Self::NO_VALUE).
+/// list of `faces`: three indices per triangle, as in an OBJ file. If an attribute has its own `faces`, a position may
+/// have a different value in each triangle. There, the index [`NO_VALUE`](Self::NO_VALUE) marks a corner without a
+/// value.
 ///
 /// The corners of a front face run counter-clockwise as seen by the viewer.
 ///
@@ -44,8 +45,8 @@ pub struct Mesh<'a> {
 }
 
 impl<'a> Mesh<'a> {
-    /// In the `faces` of an attribute, the index of a corner without a value. The corner gets the texture coordinate
-    /// (0, 0), the normal of its triangle, or white.
+    /// The index of a corner without a value, for the `faces` of an attribute. Drawing then uses a default: the texture
+    /// coordinate (0, 0), the normal of the triangle, or the color white.
     ///
     /// Exception: in a list of 65,536 values, this index is valid, and means the last value.
     pub const NO_VALUE: Index = Index::MAX;
@@ -60,8 +61,8 @@ impl<'a> Mesh<'a> {
     /// ```
     pub const MAX_POSITIONS: usize = Index::MAX as usize + 1;
 
-    /// A mesh of positions and triangles. A triangle is the indices of its three corners, counter-clockwise as seen
-    /// from outside.
+    /// A mesh of positions and triangles. A triangle is an array of three indices: the positions of its corners,
+    /// counter-clockwise as seen from outside.
     ///
     /// # Errors
     ///
@@ -77,11 +78,12 @@ impl<'a> Mesh<'a> {
     /// for bit, as 32-bit positions with the same values. With 14 fraction bits, for example, 16-bit positions range
     /// from −2 to almost 2 in steps of 1/16384.
     ///
-    /// Rounding to these units moves a position by up to half a unit along each axis. Let w be the position's distance,
-    /// and s the slope x/w or y/w at which it is seen. On the screen, the rounding moves the position by up to √3/2 ·
-    /// (1 + s) units times focal length / w. For a sphere that fills 320x240 pixels, stored with 14 fraction bits, this
-    /// bound is 0.008 pixels. Transforming a 16-bit position takes more instructions than transforming a 32-bit
-    /// position: 7 more on Cortex-M4, and about 10 more on Cortex-M0+.
+    /// Rounding to 16 bits moves a position by up to half a unit along each axis. Let w be the position's distance from
+    /// the eye, and s its slope x/w or y/w in eye space. On the screen, the rounding moves the position by up to √3/2 ·
+    /// (1 + s) · u · focal length / w pixels along each axis, where u is the length of a unit, 2^-`fraction`. For a
+    /// sphere that fills 320x240 pixels, stored with 14 fraction bits, this bound is 0.008 pixels. Transforming a
+    /// 16-bit position takes more instructions than transforming a 32-bit position: 7 more on Cortex-M4, and about 10
+    /// more on Cortex-M0+.
     ///
     /// [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) produce such meshes with the argument
     /// `quantized`; [`Mesh::quantized_positions`] converts the positions of any mesh.
@@ -149,8 +151,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Unwraps a mesh in a `const` or `static`, where an error stops compilation. The mesh [keeps](Self::with_bounds)
-    /// its bounds.
+    /// Unwraps a mesh in a `const` or `static`, where an error stops compilation. The mesh stores the
+    /// [box](Self::with_bounds) around its positions.
     ///
     /// # Panics
     ///

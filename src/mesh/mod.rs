@@ -10,13 +10,14 @@
 //!
 //! [`Keyframes`] blends two poses of a mesh. [`Outline`] holds a mesh's edges, each with its adjacent faces.
 //!
-//! A shader reads a mesh as a [`Primitive`] and its [`Corner`]s.
+//! A shader reads one triangle, edge or point of a mesh at a time, as a [`Primitive`] with its [`Corner`]s.
 //!
 //! # Less flash
 //!
 //! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
-//! `quantized` reduces only the positions. The arguments `quantized_8` and `quantized_16` (only in `include_mesh!`) reduce
-//! positions, normals and texture coordinates. The number in the name is the number of bits for u, and for v:
+//! `quantized` reduces only the positions. The argument `quantized_8` reduces positions, normals and texture
+//! coordinates; so does `quantized_16`, which only `include_mesh!` accepts. The number in the name is the number of
+//! bits for u, and for v:
 //!
 //! | list | bytes per element | bytes in fewer bits | largest error |
 //! |---|---|---|---|
@@ -33,7 +34,8 @@
 //! 1/2048 texel with `quantized_16`, and by up to 1/8 texel with `quantized_8`.
 //!
 //! The attributes of each triangle are unpacked when the triangle is drawn. For normals, this takes a few percent of
-//! the instructions on Cortex-M4. A program without such meshes does not contain the code that unpacks attributes.
+//! the instructions on Cortex-M4 for a lit mesh. A program without such meshes does not contain the code that unpacks
+//! attributes.
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -74,16 +74,16 @@ fn weighted(normal: Direction, angle: i32) -> Vec3 {
 impl<'a> Mesh<'a> {
     /// Adds computed normals, one per position, so that light changes smoothly across all edges.
     ///
-    /// A normal is the mean of the normals of the triangles around its position. Each triangle has the weight of its
+    /// A normal is the mean of the normals of the triangles around its position. Each triangle is weighted with its
     /// angle at the position, so it does not matter how polygons were cut into triangles. The normal has length one.
     /// Its direction is accurate to 2⁻¹² radians, if the triangles do not face away from one another and their angles
     /// at the position are at least 0.1 degrees. Angles are rounded down to multiples of 2⁻²² radians, so a triangle
     /// does not count if its angle at the position is below about 2⁻²² radians. If no triangle counts, or if the
     /// weighted normals add up to zero, the position gets the zero vector.
     ///
-    /// The time grows in proportion to the number of triangles, so a mesh that moves can get new normals in each frame.
-    /// For a file, the option `normals` of [`include_mesh!`](crate::include_mesh) computes normals on the host, and keeps
-    /// sharp edges sharp.
+    /// The computation takes time in proportion to the number of triangles. For a mesh that changes its shape, call
+    /// this function in each frame. For a file, the option `normals` of [`include_mesh!`](crate::include_mesh) computes
+    /// normals on the host, and keeps sharp edges sharp.
     ///
     /// ```
     /// use fixel::prelude::*;

@@ -10,15 +10,15 @@ use crate::num::Angle;
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye.
-/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) smooths the jagged pixels along these edges. There are two kinds
-/// of them:
+/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) smooths the jagged pixels along these edges. There are two
+/// kinds of edges that show the shape:
 ///
 /// - *creases*, where two faces meet at an angle above a limit;
-/// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.
+/// - *silhouettes*, where a front face meets a back face, or where the mesh has a border (an edge of only one face).
 ///
-/// An edge is drawn only if at least one of its faces is not culled. Therefore, a convex mesh shows no hidden lines
-/// even without a depth buffer. For other meshes, first draw the faces into a depth buffer, as in the example of
-/// [`Mesh::outline`]; the faces then hide the lines behind them.
+/// An edge is left out if all of its faces are culled. Therefore, a convex mesh shows no hidden lines even without a
+/// depth buffer. For other meshes, first draw the faces into a depth buffer, as in the example of [`Mesh::outline`];
+/// the faces then hide the lines behind them.
 ///
 /// [`outline!`](crate::outline) finds the edges at compile time and stores 8 bytes per edge in flash. At run time,
 /// [`build`](Self::build) finds the edges and stores them in the caller's memory. The outline may be drawn with another
@@ -88,9 +88,9 @@ impl<'a> Outline<'a> {
     /// The sides of two faces form one edge if their ends have the same positions, even if the indices differ.
     /// Therefore, a seam of texture coordinates is not a border. Faces without area are ignored. An angle of at most
     /// 2⁻¹⁰ radians (0.056 degrees) between two faces counts as flat, so the diagonals of a flat polygon are never
-    /// creases. If the corners of two faces follow an edge in the same direction, the faces do not share the edge: each
-    /// face has a border there, unless the corners of another face follow the edge in the other direction. Only sides
-    /// of faces count, so lines of an OBJ file are left out.
+    /// creases. Two faces share an edge only if the corners of one face follow it from a to b, and the corners of the
+    /// other face from b to a. A face without such a partner has a border there. Only sides of faces count, so lines of
+    /// an OBJ file are left out.
     ///
     /// ```
     /// use fixel::mesh::Outline;

@@ -25,8 +25,8 @@ pub struct Material<'a> {
     /// The color where no texture is drawn.
     pub color: Rgb888,
     /// The texture's file name or, if the model contains the picture, the picture's name. If the material has a texture
-    /// for the light that the surface sends out, the picture contains this light, too. Its name is then, for example,
-    /// `image-5`, and `include_texture!(…, image = 5)` reads it.
+    /// for the light that the surface sends out, this texture and the material's own texture or color are combined into
+    /// a new picture. Its name is, for example, `image-5`, and `include_texture!(…, image = 5)` reads it.
     pub texture: Option<&'a str>,
     /// What the texture's alpha means.
     pub alpha: TextureAlpha,

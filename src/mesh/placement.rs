@@ -23,10 +23,11 @@ pub(crate) struct Placement<'a> {
     pub(crate) corners: Option<&'a CornerCache>,
 }
 
-/// What a draw call needed and the mesh lacks; the call returns it as [`Drawn::missing`](crate::Drawn::missing).
+/// Lists that a draw call needed but the mesh does not have; the call returns this value as
+/// [`Drawn::missing`](crate::Drawn::missing).
 ///
 /// Without texture coordinates, a mesh shows a single texel everywhere; without colors, it is white; without edges,
-/// [`Mesh::edges`] draws nothing. None of this is an error, because each may be intended.
+/// [`Mesh::edges`] draws nothing. None of these is an error, because a program may do it on purpose.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

@@ -11,8 +11,9 @@ use crate::math::Vec3;
 /// them.
 ///
 /// The 16-bit positions of [`Mesh::quantized`](crate::Mesh::quantized) take half the flash: 6 bytes instead of 12. Each
-/// component is a whole number of units of 2^-`fraction`, which a [`Scalar`](crate::Scalar) holds exactly. A mesh of
-/// 16-bit positions draws the same pixels, bit for bit, as a mesh with these `Scalar`s.
+/// component is a whole number of units of 2^-`fraction`, with at most 16 fraction bits, so a [`Scalar`](crate::Scalar)
+/// holds it exactly. A mesh of 16-bit positions draws the same pixels, bit for bit, as a mesh of `Scalar`s with the
+/// same values.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -59,8 +59,8 @@ pub struct Primitive<'a> {
 }
 
 impl Primitive<'_> {
-    /// Whether this is a triangle with its front toward the eye, by the same rule as for culling; an edge or a point
-    /// has no front. With this function, a shader can give the two sides of a sheet different colors:
+    /// Whether this is a triangle with its front toward the eye, by the same rule as for culling; false for an edge or
+    /// a point. With this function, a shader can give the two sides of a sheet different colors:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -10,9 +10,9 @@ use crate::num::{Angle, Scalar, TexCoord};
 /// [`Canvas::draw`](crate::Canvas::draw) draws all sprites of the list, for example particles, in one call.
 ///
 /// All sprites have the same size, in units of the world or in pixels. On each sprite, texture coordinates run from (0,
-/// 0) at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn only about that
-/// axis, as trees should. Each sprite may have a [scale](Self::with_scales), a [color](Self::with_colors), a
-/// [frame](Self::with_frames) and an [angle](Self::with_angles) of its own.
+/// 0) at the top left to (1, 1) at the bottom right. With an [axis](Self::with_axis), sprites turn toward the viewer
+/// only about that axis, as trees should. Each sprite may have a [scale](Self::with_scales), a
+/// [color](Self::with_colors), a [frame](Self::with_frames) and an [angle](Self::with_angles) of its own.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -60,19 +60,21 @@ use crate::num::{Angle, Scalar, TexCoord};
 ///
 /// A sprite is two triangles, drawn by the same rules as the triangles of a mesh. Nothing is culled, because sprites
 /// have no backs. A sprite with neither an [axis](Self::with_axis) nor an [angle](Self::with_angles) is an upright
-/// rectangle on the screen. It is drawn as a single rectangle, which costs less than two triangles. Pixels and depths
-/// are the same, and varyings (the numbers that the shader interpolates) are as accurate. It is still drawn as two
-/// triangles if the rectangle is clipped, if the shader has [values per face](crate::shade::PerFace) (as with mipmaps),
-/// or if a varying changes both across and down, as the light of a lamp does.
+/// rectangle on the screen. It is drawn as a single rectangle, which costs less than two triangles. Its pixels and
+/// depths are the same as those of two triangles, and its varyings (the numbers that the shader interpolates) are as
+/// accurate. Such a sprite is nevertheless drawn as two triangles if the rectangle is clipped, if the shader has
+/// [values per face](crate::shade::PerFace) (as with mipmaps), or if a varying changes both across and down, as the
+/// light of a lamp does.
 ///
 /// Every shader works with sprites, and sees them as a mesh in eye space, with normals that point toward the viewer.
 /// The two triangles of sprite i have the indices 2i and 2i + 1. The offsets of the four corners from the sprite's
 /// position are accurate to 2⁻²⁶ of the longest offset, and less accurate if the axis is near the line of sight. The
-/// position and each corner are rounded to the nearest [`Scalar`]s in eye space. Let w be a corner's distance, and s
-/// the slope x/w or y/w at which it is seen: the rounding moves the corner on the screen by at most 2⁻¹⁶ · (1 + s) ·
-/// focal length / w pixels along each axis. A sprite with a corner beyond ±32,768 in eye space is not drawn.
+/// position and each corner are rounded to the nearest [`Scalar`]s in eye space. Let w be a corner's distance from the
+/// eye, and s its slope x/w or y/w in eye space: the rounding moves the corner on the screen by at most 2⁻¹⁶ · (1 + s)
+/// · focal length / w pixels along each axis. A sprite with a corner beyond ±32,768 in eye space is not drawn.
 ///
-/// With [`cut_out`](crate::Textured::cut_out), sprites may be drawn in any order, because holes do not change depths.
+/// Sprites with holes ([`cut_out`](crate::Textured::cut_out)) may be drawn in any order if the canvas has a depth
+/// buffer, because a hole does not change the stored depth.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -134,7 +136,7 @@ pub struct Sprites<'a, A = ()> {
 }
 
 impl<'a> Sprites<'a> {
-    /// The most columns and the most rows of [frames](Self::with_frames) in a texture.
+    /// The greatest number of columns of [frames](Self::with_frames) in a texture, and the greatest number of rows.
     pub const MAX_FRAMES: u32 = 1024;
 
     /// Sprites with the same width and height in world units. Positions are in model space. A scale in the model's
@@ -303,7 +305,7 @@ impl<'a, A: Copy> Sprites<'a, A> {
     }
 
     /// Multiplies the size of each sprite by a scale of its own. A scale of 0 hides the sprite, and a negative scale
-    /// turns it by 180°. A sprite with a corner beyond ±32,768 in eye space is left out.
+    /// turns it by 180°. A sprite with a corner beyond ±32,768 in eye space is not drawn.
     ///
     /// # Errors
     ///

@@ -211,7 +211,7 @@ impl Angle {
         degrees.angle(&Unit::DEGREES)
     }
 
-    /// Does what [`try_from_degrees`](Self::try_from_degrees) does, also in constants.
+    /// Does the same as [`try_from_degrees`](Self::try_from_degrees), and can also be called in constants.
     #[doc(hidden)]
     pub const fn nearest_degrees(degrees: f64) -> Result<Self, Error> {
         Self::nearest(degrees, Unit::DEGREES.turn)
@@ -219,9 +219,9 @@ impl Angle {
 
     /// Makes an angle from a float or an integer in radians, rounded to the nearest unit. Whole turns are dropped.
     ///
-    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. For an `f64`, a turn
-    /// counts as the `f64` nearest to 2π, which adds an error of 4e-17 times the float. So the angle is accurate to one
-    /// unit for up to ten million radians.
+    /// The conversion of an `f32` uses integers only, and is accurate to one unit for every float. The conversion of an
+    /// `f64` uses the `f64` nearest to 2π in place of 2π, which adds an error of 4e-17 times `radians`. So the angle is
+    /// accurate to one unit for up to ten million radians.
     ///
     /// If your own code needs float functions such as `sin` without the standard library, the crate [`micromath`] has
     /// them, with errors of about 1e-3. fixel itself uses only integers.

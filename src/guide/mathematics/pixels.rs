@@ -5,22 +5,25 @@
 //!
 //! # An attribute
 //!
-//! **Across a triangle, too, 1/*w* and *a*/*w* are linear on the screen.** This holds for every attribute *a* that is
-//! linear across the triangle in space: position, texture coordinates, color, normal, light.
+//! **Across a triangle, 1/*w* and *a*/*w* are linear on the screen, as they are along a
+//! [segment](crate::guide::mathematics::lines#a-segment).** This holds for every attribute *a* that is linear across
+//! the triangle in space: position, texture coordinates, color, normal, light.
 //!
 //! The triangle lies in a plane *k* · (*x*, *y*, *z*) = *c*. If *c* were 0, the eye would be in the plane, and the
-//! triangle would not be seen. On the near plane, *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute these
-//! values, and divide by *c* *w*:
+//! triangle would not be seen. A point of the triangle has the [image](crate::guide::mathematics::projection#a-point)
+//! (*x*′, *y*′) on the near plane, so *x* = *x*′*w*/*n*, *y* = *y*′*w*/*n* and *z* = −*w*. Substitute these values, and
+//! divide by *c* *w*:
 //!
 #![doc = formula!({frac(1)(w) = frac(k[x] prime(x) + k[y] prime(y) - n k[z])(c n)})]
 //!
-//! On the plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*, with a vector *g* and a number *d*. Divide *a* by
-//! *w*: the first term becomes linear in *x*′ and *y*′ by the same substitution, and *d*/*w* is linear because 1/*w*
-//! is.
+//! In the triangle's plane, the attribute is *a* = *g* · (*x*, *y*, *z*) + *d*, with a vector *g* and a number *d*.
+//! Divide *a* by *w*: the first term becomes linear in *x*′ and *y*′ by the same substitution, and *d*/*w* is linear
+//! because 1/*w* is.
 //!
 //! The value of a linear function at a point is the mean of its values at the corners, weighted with the point's
-//! barycentric coordinates on the screen. These coordinates are proportional to the areas of the triangles opposite the
-//! corners, and *α* + *β* + *γ* = 1 ([An area](crate::guide::mathematics::triangles#an-area)). Hence
+//! barycentric coordinates on the screen. The weight of a corner is proportional to the area of the triangle that the
+//! point forms with the opposite side, and *α* + *β* + *γ* = 1 ([An
+//! area](crate::guide::mathematics::triangles#an-area)). Hence
 //!
 #![doc = formula!({a = frac
     (var "α" a[0] / w[0] + var "β" a[1] / w[1] + var "γ" a[2] / w[2])
@@ -30,14 +33,14 @@
 #![doc = include_str!("../diagrams/weights.svg")]
 //!
 //! **A pixel needs one division.** Along a row of pixels, a linear function changes by the same amount from pixel to
-//! pixel. A renderer adds this amount to *Q* = 1/*w* and to each *P* = *a*/*w*. But the quotient *P*/*Q* does not
-//! change by the same amount: if *Q* takes the values 1, ¾, ½ and ¼, then *w* takes the values 1, 1⅓, 2 and 4. So
-//! additions alone cannot produce the quotient. A small processor takes far longer for a division than for a product.
-//! Therefore divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
+//! pixel. So *Q* = 1/*w* and each *P* = *a*/*w* take one addition per pixel. But the quotient *P*/*Q* does not change
+//! by the same amount: if *Q* takes the values 1, ¾, ½ and ¼, then *w* takes the values 1, 1⅓, 2 and 4. So additions
+//! alone cannot produce the quotient. A small processor takes far longer for a division than for a product. Therefore
+//! divide once, *r* = 1/*Q*, and multiply each *P* by *r*: one reciprocal per pixel serves all attributes.
 //!
 //! **Additions repeat their rounding error.** The step from pixel to pixel is rounded once. After 300 pixels, this
-//! error has been added 300 times. So *P* and *Q* need about 9 more bits than the result, because 2⁹ is 512. fixel
-//! computes the steps of large triangles in 64 bits.
+//! error has been added 300 times. So *P* and *Q* need about 9 more bits than the result: 300 errors of one unit add up
+//! to less than 2⁹ = 512 units. fixel computes the steps of large triangles in 64 bits.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
@@ -79,7 +82,7 @@
 #![doc = formula!({D = frac(65535 n)(w)} {frac(d D)(d w) = -frac(65535 n)(w^2)} {var "Δ" w = frac(w^2)(65535 n)})]
 //!
 //! So a step grows with the **square** of the distance. Relative to the distance, it is *w*/(65535 *n*): 1 % at 655
-//! times the near plane's distance. [The rule for the two planes](crate::guide::concepts#depth) follows from this.
+//! times the near plane's distance. So this depth buffer has [a limit for far/near](crate::guide::concepts#depth).
 //!
 //! By hand, with *n* = 1 and *w* = 1000: *D* = 65.535, so the buffer stores 65. The formula gives a step of
 //! 1,000,000/65,535 = 15.3. The exact ends of the step are 65535/66 = 993.0 and 65535/65 = 1008.2. Two surfaces at the
@@ -125,18 +128,18 @@
 //!
 #![doc = formula!({-frac(d w)(d y) = frac(F h)(y^2) = frac(w^2)(F h) = frac(w)(F) dot frac(w)(h)})]
 //!
-//! The first factor is the size of a pixel at the distance *w*. The second factor is the stretch along the line of
-//! sight. With *m* texels per unit of length:
+//! The first factor, *w*/*F*, is the width that a pixel covers at the distance *w*. The second factor, *w*/*h*, says
+//! how many times longer the covered piece of floor is along the line of sight. With *m* texels per unit of length:
 //!
 #![doc = formula!({level = log[2] (m dot frac(w)(F) dot frac(w)(h))})]
 //!
 //! For another plane, *h* is the distance of the eye from the plane. The level suits the direction along the line of
-//! sight, in which the texture is foreshortened most. Across the line of sight, a pixel covers only *m* *w*/*F* texels,
-//! so a lower level would be enough, and the picture is softer than necessary.
+//! sight, in which the texture is foreshortened most. Across the line of sight, a pixel covers only *m* *w*/*F* texels.
+//! In this direction, a lower level with smaller texels would be enough, so the picture is softer than necessary.
 //!
 //! By hand: *m* = 64, *F* = 160, *h* = 1. The floor at the distance 5 is seen 160/5 = 32 rows below the horizon.
 //! Across, a pixel covers 64 · 5/160 = 2 texels. Along the line of sight, it covers five times as many, 10 texels. The
-//! level is log₂ 10 = 3.32, and the nearest level is 3, with a mean of 8x8 texels. The table continues:
+//! level is log₂ 10 = 3.32. The nearest level is 3, in which each texel is a mean of 8x8 texels. The table continues:
 //!
 //! | rows below the horizon | distance | texels across | texels along | level | nearest level |
 //! |---:|---:|---:|---:|---:|---:|
@@ -145,7 +148,7 @@
 //! | 32 | 5 | 2.0 | 10.0 | 3.32 | 3 |
 //! | 16 | 10 | 4.0 | 40.0 | 5.32 | 5 |
 //!
-//! Without mipmaps, a pixel at the distance 10 would show one of 40 texels by chance, and another one in the next
+//! Without mipmaps, a pixel at the distance 10 would show one of 4x40 texels by chance, and another one in the next
 //! frame: the floor would flicker. With mipmaps, the pixel shows a mean:
 //!
 #![cfg_attr(doc, doc = page_picture!("mipmapped", "A tiled floor: the left half without mipmaps flickers in the distance, the right half is even"))]

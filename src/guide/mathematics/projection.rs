@@ -104,8 +104,9 @@
 #![doc = formula!({-A n + B = -n^2} {-A f + B = -f^2} {A = n + f} {B = n f})]
 //!
 //! The perspective transform *P* is the matrix with these *A* and *B*, and with *n* in its first two rows instead of
-//! the terms with the window. It squeezes the frustum into a box as wide as the window, and leaves both planes in
-//! place. A point at the distance *w* moves to the distance *n* + *f* − *nf*/*w*.
+//! the terms with the window. It squeezes the frustum (the visible space between the near and the far plane) into a box
+//! as wide as the window, and leaves both planes in place. A point at the distance *w* moves to the distance *n* + *f*
+//! − *nf*/*w*.
 //!
 #![doc = formula!({P = matrix(
     [n] [0] [0]     [0];
@@ -145,9 +146,9 @@
 //! <div class="warning">
 //!
 //! **Clipping after the division.** The point (1, 1, 3) lies behind the eye. Its *w* is −3, and a division would put it
-//! at (−⅔, −⅔), inside the window. A triangle with such a corner would reach to the mirrored point, across the wrong
-//! part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its sign, then
-//! divide ([A clip](crate::guide::mathematics::clipping#a-clip)). fixel's draw calls work in this order.
+//! at (−⅔, −⅔), inside the window. A triangle with a corner behind the eye would reach to this mirrored point, across
+//! the wrong part of the picture. No test of screen positions can detect this. Clip first, while *w* still has its
+//! sign, then divide ([A clip](crate::guide::mathematics::clipping#a-clip)). fixel's draw calls work in this order.
 //!
 //! ```
 //! use fixel::prelude::*;
@@ -178,7 +179,7 @@
 //! opposite half the field of view is *t*, and the adjacent side is *n*. The second line of formulas solves the first
 //! line for the aspect ratio and the angle. A window need not be centered:
 //! [`Projection::frustum`](crate::Projection::frustum) accepts any window, for one half of a stereo pair or for one of
-//! several panels. The matrix of an off-center window also has entries in the third column.
+//! several panels. If the window is off center, the first two entries of the matrix's third column are not both 0.
 //!
 //! ```
 //! use fixel::prelude::*;

@@ -78,13 +78,13 @@
 //!
 #![doc = formula!({prime(v) = s^2 (u dot v) u + c^2 v + 2 c s (u times v) - s^2 (u times v) times u})]
 //!
-//! and (*u* × *v*) × *u* is the part of *v* at right angles to *u*, *v* − (*u* · *v*) *u*. So
+//! and (*u* × *v*) × *u* = *v* − (*u* · *v*) *u*, the part of *v* at right angles to *u*. So
 //!
 #![doc = formula!({prime(v) = (c^2 - s^2) v + 2 c s (u times v) + 2 s^2 (u dot v) u})]
 //!
-//! The identities for double angles are *c*² − *s*² = cos θ, 2*cs* = sin θ and 2*s*² = 1 − cos θ. With them, this is
-//! Rodrigues' formula. The quaternion stands on both sides of *v*, so each side contributes half the angle. In −*q*,
-//! the two signs cancel: *q* and −*q* are the same turn.
+//! The identities for double angles are *c*² − *s*² = cos θ, 2*cs* = sin θ and 2*s*² = 1 − cos θ. With them, the last
+//! formula becomes Rodrigues' formula. The quaternion stands on both sides of *v*, so each side contributes half the
+//! angle. In −*q*, the two signs cancel: *q* and −*q* are the same turn.
 //!
 //! **The product *q*₂*q*₁ turns by *q*₁ first.** The conjugate of a product is the product of the conjugates in reverse
 //! order, so (*q*₂*q*₁) *v* (*q*₂*q*₁)\* = *q*₂ (*q*₁ *v* *q*₁\*) *q*₂\*.
@@ -110,10 +110,10 @@
 //!
 //! A product of quaternions takes 16 multiplications, and a product of matrices takes 27. To turn many points, make the
 //! matrix first: a point then takes 9 multiplications. Rounding makes a quaternion longer or shorter, and a division by
-//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) also makes its matrix from a quaternion,
-//! (|*a*| *c*, *s* *a*) for an axis *a* of any length. It does not scale the axis to length one, because the rounded
-//! axis would stretch a model. A matrix that is multiplied again and again loses its right angles;
-//! [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
+//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) makes its matrix from the quaternion (|*a*|
+//! *c*, *s* *a*), so the axis *a* may have any length. It does not scale the axis to length one, because the rounded
+//! axis would stretch a model. If a matrix is multiplied by turns again and again, rounding makes its columns lose
+//! their right angles; [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
 //!
 //! Tests: `accuracy/formulas/rotation.rs`.
 //!

@@ -54,8 +54,8 @@
 //! By hand: a square from (1.5, 1.5) to (5.5, 5.5) has two triangles, both clockwise. The orange one has the corners
 //! (1.5, 1.5), (5.5, 1.5), (1.5, 5.5), and the blue one (5.5, 1.5), (5.5, 5.5), (1.5, 5.5). The center (3.5, 3.5) is on
 //! the diagonal. In the blue triangle, the diagonal runs from *a* = (1.5, 5.5) to *b* = (5.5, 1.5), and its edge
-//! function is 4 · (−2) − (−4) · 2 = 0. The other two edge functions are 8 and 8. The sum is 16, twice its area of 8.
-//! The diagonal is the blue triangle's left edge, so the blue triangle owns the pixel.
+//! function is 4 · (−2) − (−4) · 2 = 0. The other two edge functions are 8 and 8. The sum is 16, twice the triangle's
+//! area of 8. The diagonal is the blue triangle's left edge, so the blue triangle owns the pixel.
 //!
 #![doc = include_str!("../diagrams/shared_edge.svg")]
 //!
@@ -98,9 +98,9 @@
 //! **fixel does not compute three edge functions for every pixel.** In each row, it needs only two columns: the first
 //! with its center on the left edge or to the right of it, and the first with its center on the right edge or to the
 //! right of it. The triangle covers the columns from the first of these up to, but *not* including, the second, as the
-//! top-left rule demands. The rows are found in the same way. From row to row, an edge moves by a fraction with the
-//! edge's height as its divisor. The crate divides once for each edge. It then adds the quotient and the remainder in
-//! each row, so the positions remain exact.
+//! top-left rule demands. The rows are found in the same way. From row to row, an edge moves sideways by its width
+//! divided by its height. fixel divides once for each edge, and then adds the quotient and the remainder in each row,
+//! so the positions remain exact.
 //!
 //! Tests: `accuracy/formulas/coverage.rs`; all kinds of meshes in `accuracy/coverage.rs`. Unit tests: edges in
 //! `src/raster/edge.rs`, whole triangles in `src/raster/triangle.rs`.

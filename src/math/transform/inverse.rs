@@ -25,8 +25,8 @@ impl Transform {
     /// Returns the transform that undoes this one; `None` if this transform presses everything flat, so that its
     /// determinant is 0.
     ///
-    /// A determinant that differs from 0 only by the rounding of the matrix's entries counts as 0. So a
-    /// [shadow](Self::shadow) has no inverse, on any plane.
+    /// A determinant that differs from 0 only by the rounding of the matrix's entries counts as 0. So the transform of
+    /// a [shadow](Self::shadow) never has an inverse, whatever its plane.
     ///
     /// The entries of the result's matrix are accurate to 2⁻²⁸ of its largest entry. The translation is computed from this
     /// matrix, and rounded once to 30 bits.

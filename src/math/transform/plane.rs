@@ -7,8 +7,8 @@ use crate::num::block::{self, BlockFloat};
 use crate::num::wide::{dot, product};
 
 impl Transform {
-    /// Makes the transform that presses a mesh flat onto the plane through `point` at right angles to `normal`, along
-    /// the rays of a distant light. Drawn dark, the flat mesh is the shadow.
+    /// Makes the transform for a shadow: it moves every point of a mesh along the rays of a distant light, onto the
+    /// plane through `point` at right angles to `normal`. Drawn dark, the flat mesh is the shadow.
     ///
     /// `light` points to the light, as in [`Light::new`](crate::Light::new). Both vectors may have any length except
     /// zero. For a lamp near the mesh, use the direction from the mesh to the lamp.
@@ -16,9 +16,9 @@ impl Transform {
     /// Multiply this transform by the transform that places the mesh, with the shadow on the left: `view * shadow *
     /// place`. Draw the mesh with this product and [`TestNearer`](crate::canvas::TestNearer), so that each pixel is
     /// darkened once; see [`Biased::coplanar`](crate::canvas::Biased::coplanar). If the mesh is closed, leave
-    /// [culling](crate::Cull) as it is, because the faces toward the light show their fronts. Parts of the mesh behind
-    /// the plane throw a shadow, too. The [cookbook](crate::guide::cookbook::surfaces#a-mirror) has a scene with
-    /// shadows.
+    /// [culling](crate::Cull) as it is: the faces toward the light still show their fronts when they lie in the plane,
+    /// and they cover the whole shadow. Parts of the mesh behind the plane throw a shadow, too. The
+    /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) has a scene with shadows.
     ///
     /// The entries of the matrix are accurate to 2⁻²⁸ of its largest entry. The lower the light, the larger this entry:
     /// about 1 / sin e, where e is the light's angle above the plane.
