@@ -16,8 +16,8 @@ use crate::num::Scalar;
 /// as the squares are wide, the squares touch without a gap or an overlap. A center on the border of a disc is within
 /// the disc. A disc also covers the pixel that contains its position, even if this pixel's center lies outside.
 ///
-/// Smaller sizes are drawn as 1 pixel, and greater sizes as 255 pixels. All pixels of a square or disc have the depth
-/// and the varyings of its position.
+/// A size below 1 pixel is drawn as 1 pixel, and a size above 255 pixels as 255 pixels. All pixels of a square or disc
+/// have the depth and the varyings of its position.
 ///
 /// ```
 /// use fixel::prelude::*;

@@ -55,9 +55,9 @@ use crate::sealed::Sealed;
 /// R is the triangle's ratio of distances, (a + b) / c. Here, a is the distance of the farthest corner, b is how far
 /// the rearmost corner lies behind the eye (0 if none does), and c is the least distance that is drawn. For example, a
 /// floor from the near plane at 0.1 to a distance of 300 has an R of 3,000. In linear fog from 10 to 100, R · far /
-/// (far − near) is then 3,333. If R (or the product with R) is n times the limit, the error is at most n/100. In linear
-/// fog, the error is greater if a corner lies more than 65,536 · (far − near) beyond `far`, because the interpolated
-/// number saturates there. Divide a triangle that exceeds the limit into smaller triangles.
+/// (far − near) is then 3,333. If the left side of a condition is n times its limit, the error is at most n/100. In
+/// linear fog, the error is greater if a corner lies more than 65,536 · (far − near) beyond `far`, because the
+/// interpolated number saturates there. Divide a triangle that exceeds the limit into smaller triangles.
 ///
 /// For a plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. Rounding adds an error of at most
@@ -263,8 +263,8 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
 }
 
 /// A surface's output and the fog's share at a pixel, before the two are blended. If no other adapter follows, a plain
-/// color of 15 or 16 bits is blended in 32 steps, by one product for all channels. Such a blend takes half as long as a
-/// blend in full precision.
+/// color of 15 or 16 bits is blended in 32 steps, by one product for all channels. This takes half as long as a blend
+/// in full precision.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<O: Output, D> {
