@@ -117,7 +117,7 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     is_gentle.then(|| most.leading_zeros().wrapping_sub(1) & 31)
 }
 
-/// Perspective-correct: each pixel divides by its 1/w, exact to 31 bits.
+/// Perspective-correct: each pixel divides by its 1/w, with a reciprocal of 31 bits.
 ///
 /// Each pixel multiplies the span's interpolants (the varyings divided by w) by the reciprocal of its 1/w, and rounds
 /// the varyings down to their units. The reciprocal has a relative error below 2⁻³⁰. If a triangle's farthest corner is
@@ -364,8 +364,8 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// A tolerance of 1/32 texel, for cores without 64-bit products, where a larger error would show. For a texture of
-    /// 256 texels, the total error is up to 1/16 texel.
+    /// A tolerance of 1/32 texel. Use it on cores without 64-bit products if a larger error would be visible. For a
+    /// texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
     /// Pieces with an error of at most this many texels, plus the rounding error. If `texels` is 0 or less, every pixel

@@ -43,8 +43,8 @@ impl Camera {
     /// # Errors
     ///
     /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly parallel to the view
-    /// direction that rounding errors would decide the roll. An angle below 1.9e-7 radians (0.04 seconds of arc) is
-    /// always refused; an angle above 8e-6 radians never is.
+    /// direction that rounding errors would decide the roll. An angle between the two below 1.9e-7 radians (0.04
+    /// seconds of arc) is always refused; an angle above 8e-6 radians is never refused.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// Two vectors count as parallel if every component of their cross product is below this limit. The largest
         /// mantissa of each vector is from 2^29 to 2^30. So the product of the lengths is at least 2^58, and the limit

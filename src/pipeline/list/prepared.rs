@@ -470,7 +470,7 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
     i32::from(start) - reach < rows.end && rows.start < i32::from(end) + reach
 }
 
-/// A draw call of elements of one thing.
+/// A draw call of some elements of one thing in a list.
 pub struct Run<'r> {
     pub(super) placement: Placement<'r>,
     cull: Cull,
