@@ -16,9 +16,10 @@ use crate::num::{Fraction, Scalar};
 ///
 #[cfg_attr(doc, doc = include_str!("guide/diagrams/foreshortening.svg"))]
 ///
-/// A distance is −z in eye space, or the homogeneous coordinate w. The middle of the segment's picture does not show
-/// the middle of the segment. On the screen, 1/w and a/w are linear for every attribute a, but w and a themselves are
-/// not. [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
+/// A distance is −z in eye space, or the homogeneous coordinate w. If one end is farther away than the other, the
+/// nearer half of the segment looks longer, so the middle of the picture does not show the middle of the segment. On
+/// the screen, 1/w and a/w are linear for every attribute a, but w and a themselves are not.
+/// [Mathematics](crate::guide::mathematics::lines#a-segment) derives the formulas below.
 ///
 /// Fractions run from 0 at the start to 1 at the end. Results are rounded to nearest, half away from zero.
 ///
@@ -125,7 +126,7 @@ impl Segment {
 /// zero).
 ///
 /// The x component is −n·(vₓ·Pz − Pₓ·vz) / (Pz + vz·t)², where n is `near`, P is `point`, and v is `velocity`. The y
-/// component is computed likewise. `None` if the point is not ahead of the eye at time t, or if a component is out of
+/// component has y in place of x. `None` if the point is not ahead of the eye at time t, or if a component is out of
 /// range.
 ///
 /// ```
@@ -157,7 +158,7 @@ pub fn speed(near: Scalar, point: Vec3, velocity: Vec3, t: Scalar) -> Option<[Sc
 /// with n = `near` and f = `far`.
 ///
 /// The transform maps a frustum to a box as wide and high as the frustum's window on the near plane; the near and far
-/// planes stay at −n and −f. Scaling and moving this box to the range from −1 to 1 completes the frustum's matrix. The
+/// planes stay at −n and −f. To get a projection's whole matrix, scale and move this box to the range from −1 to 1. The
 /// product n·f is rounded to nearest; the product and the sum n + f saturate.
 ///
 /// ```

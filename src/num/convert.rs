@@ -55,7 +55,7 @@ fn whole(value: i64, fraction: u32) -> Result<i32, Error> {
 macro_rules! conversions {
     ($Number:ident: From $($Small:ident)*; TryFrom $($Large:ident)+) => {
         impl $Number {
-            /// Converts from a float, also in constants.
+            /// Converts from a float; a constant can call this function.
             #[doc(hidden)]
             pub const fn nearest(value: f64) -> Result<Self, Error> {
                 Ok(Self::from_bits(ok!(nearest(value, Self::FRAC_BITS))))

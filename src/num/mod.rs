@@ -25,8 +25,9 @@
 //!
 //! # Overflow and rounding
 //!
-//! Every operation saturates at the ends of its range, in debug and in release builds alike, and none panics. Only
-//! angles and the repeats of a texture wrap. Numbers and vectors follow one rule:
+//! Every operation saturates at the ends of its range, in debug and in release builds alike, and none panics. Two kinds
+//! of values wrap instead: angles, and the texture coordinates of a texture that repeats. Numbers and vectors follow
+//! one rule:
 //!
 //! | operation | rounding |
 //! |---|---|
@@ -39,7 +40,8 @@
 //! Division by zero saturates by the sign of the dividend; 0/0 is 0. Sums of products accumulate in 64 bits and are
 //! rounded once, to nearest; a function that rounds differently says so.
 //!
-//! A product or a quotient has the type in the first column. A factor can be on either side.
+//! If you multiply a value of the first column by a factor, or divide it by a divisor, the result has the value's type.
+//! The factor can be on the left or on the right.
 //!
 //! | value | factors | divisors |
 //! |---|---|---|

@@ -76,7 +76,7 @@ macro_rules! number {
             pub const ZERO: Self = Self(0);
             /// One.
             pub const ONE: Self = Self(1 << $fraction);
-            /// The smallest number above zero, the unit of the [bits](Self::to_bits).
+            /// The smallest number above zero: one unit of [`to_bits`](Self::to_bits).
             pub const DELTA: Self = Self(1);
             /// The largest number.
             pub const MAX: Self = Self(i32::MAX);
@@ -277,8 +277,8 @@ number! {
     /// Sines, cosines, components of unit vectors and parts of a whole: signed, 2 integer and 30 fraction bits.
     ///
     /// The range is from −2 to 2, and results beyond it saturate. A [`Scalar`] times a fraction, in either order, is a
-    /// [`Scalar`]. An integer times a fraction is a fraction, and may saturate: write `fx!(3) * angle.sin()`, not
-    /// `3 * angle.sin()`.
+    /// [`Scalar`]. An integer times a fraction is a fraction, so a product above 2 saturates: write
+    /// `fx!(3) * angle.sin()`, not `3 * angle.sin()`.
     ///
     /// ```
     /// use fixel::{Fraction, deg, fx};

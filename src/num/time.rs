@@ -16,8 +16,8 @@ use crate::num::Angle;
 /// assert_eq!(Rate::hertz(1).angle_at(250).sin(), fixel::Fraction::ONE);
 /// ```
 ///
-/// If the rate changes from time to time, add up the angles of the frames. Each angle is rounded down by less than 2⁻³²
-/// of a turn, so a million frames lose less than a tenth of a degree.
+/// If the rate changes over time, add the angle by which each frame turns. Each angle is rounded down by less than 2⁻³²
+/// of a turn, so the sum of a million angles is too small by less than a tenth of a degree.
 ///
 /// ```
 /// use fixel::{Angle, Rate, deg};

@@ -54,15 +54,15 @@ impl Mesh<'_> {
         Edges { of, style }
     }
 
-    /// The edges of an [`Outline`] of this mesh, to be drawn or listed like [`edges`](Self::edges): the creases and
-    /// silhouettes with at least one face that is not culled.
+    /// The creases and silhouettes from an [`Outline`] of this mesh, except those whose faces are all culled. Draw or
+    /// list them like [`edges`](Self::edges).
     ///
-    /// The same rule as for drawn triangles decides whether a face is front or back, so the outline of a closed mesh
-    /// has no gaps.
+    /// Whether a face is front or back is decided as in a draw call of triangles, so the outline of a closed mesh has
+    /// no gaps.
     ///
-    /// To remove hidden lines, draw the faces first, in the color of the background, and then the outline with
-    /// [`Biased::in_front`](crate::canvas::Biased::in_front), which takes into account how steep the faces beside each
-    /// line are.
+    /// To remove hidden lines, draw the faces first, in the color of the background, and then the outline with the
+    /// depth test [`Biased::in_front`](crate::canvas::Biased::in_front). This test moves each line toward the eye, by
+    /// more if the faces beside the line are steep.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

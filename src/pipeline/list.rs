@@ -76,10 +76,11 @@ use prepared::{Objects, Placed, Run};
 /// }
 /// ```
 ///
-/// One mistake remains possible: to mix a list of an earlier frame with draw calls that use a new camera. So prepare
+/// One mistake remains possible: you can draw a list that you prepared with the camera of an earlier frame. So prepare
 /// the list in each frame, after the camera has moved.
 ///
-/// A [`ShadeList`] also keeps light, and whatever else a shader computes at the corners, for all bands.
+/// The list keeps no colors. Add a [`ShadeList`] to keep light, and whatever else a shader computes at the corners, for
+/// all bands.
 ///
 /// Without a list, each band transforms the whole mesh again. For a mesh of many small triangles, this takes longer
 /// than drawing the triangles.
@@ -175,7 +176,8 @@ enum Corners {
 }
 
 impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> {
-    /// The largest number of vertices that a list can hold, because vertices are counted in 16 bits, from 1.
+    /// The largest number of vertices that a list can hold: 65,535, because a list numbers its vertices with 16 bits,
+    /// from 1.
     pub const MAX_VERTICES: usize = u16::MAX as usize;
 
     /// An empty list.
@@ -257,9 +259,9 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// Prepares triangles or edges like [`prepare`](Self::prepare), and sorts them back to front, which is called
     /// painter's order. A canvas without a depth buffer then shows nearer triangles over farther ones.
     ///
-    /// Triangles are compared by the farthest corners of their visible parts, with a precision of 2⁻²⁵ of the distance.
-    /// Triangles that are equally far away keep their order: in a mesh, the order of its faces or edges; between
-    /// objects, the order of the slice. The method is heap sort: it needs no further memory, and makes at most
+    /// The sort key of a triangle is the distance of the farthest corner of its visible part, to a precision of 2⁻²⁵ of
+    /// this distance. Triangles that are equally far away keep their order: in a mesh, the order of its faces or edges;
+    /// between objects, the order of the slice. The method is heap sort: it needs no further memory, and makes at most
     /// 2 n log₂ n comparisons for n visible triangles.
     ///
     /// The table compares a sorted list with a depth buffer of 320x240 pixels, which takes 150 KiB. The numbers are
@@ -276,14 +278,14 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// | the same in a sea, which crosses the island | 6.95 % | 21.6 KiB | 7.66 | 8.23 |
     /// <!-- end -->
     ///
-    /// Sorting takes time for each triangle, and hidden pixels are drawn, too. In return, no depths are tested and
-    /// stored. If pixels have one color, as in the scene of the towers, testing and storing depths is most of a pixel's
-    /// cost.
+    /// A sorted list takes time to sort its triangles, and to draw pixels that nearer triangles then cover. It saves
+    /// the time to test and store depths. This saving is large if a surface has one color, as in the scene of the
+    /// towers, because depths are then most of a pixel's cost.
     ///
-    /// No order is right for triangles that cross each other, or that cover each other in a circle. A large triangle
-    /// may cover a small one in front of it if the small one's farthest corner is farther away. So draw a floor or a
-    /// sky in a separate call before the other objects, or make its triangles as small as the triangles of the objects
-    /// on it.
+    /// No order is right for triangles that cross each other, or for three triangles of which each covers a part of the
+    /// next (A covers B, B covers C, C covers A). A large triangle may cover a small one in front of it if the small
+    /// one's farthest corner is farther away. So draw a floor or a sky in a separate call before the other objects, or
+    /// make its triangles as small as the triangles of the objects on it.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -332,7 +334,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     ///
     /// # Errors
     ///
-    /// The same as for [`prepare`](Self::prepare).
+    /// The errors of [`prepare`](Self::prepare).
     #[allow(clippy::type_complexity)] // as above
     pub fn prepare_back_to_front<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,

@@ -1,8 +1,8 @@
 //! The draw call: the stages from a mesh to the pixels of a canvas.
 //!
-//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] has them in order. Three files answer questions
-//! and draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a mesh may
-//! change, and [`ray`] finds the surface that a pixel shows.
+//! [`Canvas::draw_with`] in this file starts the stages, and [`run`] calls them one after another. Three files answer
+//! questions and draw nothing: [`on_screen`] tells where a point is on the screen, [`rectangle`] tells which pixels a
+//! mesh may change, and [`ray`] finds the surface that a pixel shows.
 
 mod assemble;
 mod cache;
@@ -42,7 +42,8 @@ use thing::Target;
 
 /// The result of a draw call: how many triangles, edges or points there were, and what became of them.
 ///
-/// Each of them was drawn, culled or [outside](Self::outside) the view. If you see nothing, print this value:
+/// Each triangle, edge or point counts as drawn, culled or [outside](Self::outside) the view. If you see nothing, print
+/// this value:
 ///
 /// | if all are | then |
 /// |---|---|
@@ -90,14 +91,15 @@ pub struct Drawn {
     pub culled: u32,
     /// The number of triangles, edges or points that were clipped by a plane of the view volume or of the guard band.
     pub clipped: u32,
-    /// What the draw call asked for and the mesh lacks.
+    /// The data that the draw call needed but the mesh does not have, such as normals.
     pub missing: Missing,
 }
 
 impl Drawn {
-    /// The number of triangles, edges or points that were neither drawn nor culled. They are nearer than the near plane
-    /// (perhaps behind the eye), beyond the far plane, or beside the picture. Triangles may also be so small that they
-    /// contain no pixel center. In a band, they may also have no pixel in the band's rows.
+    /// The number of triangles, edges or points that were neither drawn nor culled. They are outside the view: nearer
+    /// than the near plane (perhaps behind the eye), beyond the far plane, or beside the picture. This number also
+    /// counts triangles that are so small that they contain no pixel center and, if the canvas is a band, everything
+    /// that has no pixel in the band's rows.
     #[must_use]
     pub const fn outside(&self) -> u32 {
         self.submitted
@@ -134,9 +136,9 @@ impl AddAssign for Drawn {
 }
 
 impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
-    /// Draws `thing`: `mvp` projects it to the whole frame, and the part that lies in this canvas's rows is drawn. Back
-    /// faces are left out, depth is tested if the canvas has a depth buffer, and attributes are interpolated in correct
-    /// perspective.
+    /// Draws `thing`. `mvp` projects the thing to the whole frame; a canvas that is a band draws the rows of the band.
+    /// Back faces are left out, depth is tested if the canvas has a depth buffer, and attributes are interpolated in
+    /// correct perspective.
     ///
     /// | `thing` | is drawn as |
     /// |---|---|
@@ -150,9 +152,9 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// `mvp` is a [`Projection`](crate::Projection) times a camera and a model transform (an [`Mvp`](crate::Mvp)), or
     /// a projection alone. Drawing cannot fail: parts outside the view are clipped away.
     ///
-    /// A triangle has the pixels whose centers it covers. A center exactly on an edge belongs to the triangle if the
-    /// edge is a left edge, or a level edge at the top. So triangles that share an edge draw each pixel once
-    /// ([the top-left rule](crate::guide::mathematics::triangles#a-shared-edge)).
+    /// A triangle draws the pixels whose centers it covers. A center exactly on an edge counts as covered if the edge
+    /// is a left edge, or a horizontal edge at the top. So triangles that share an edge draw each pixel once ([the
+    /// top-left rule](crate::guide::mathematics::triangles#a-shared-edge)).
     pub fn draw(
         &mut self,
         thing: impl Thing<C>,

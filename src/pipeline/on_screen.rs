@@ -33,8 +33,8 @@ pub struct ScreenPoint {
     pub x: Subpixel,
     /// Rows from the frame's top edge, rounded to the nearest 1/256.
     pub y: Subpixel,
-    /// How near the point is: of two points under the same projection, the nearer one has the greater number. The steps
-    /// of this number are 2⁻²⁵ of the distance, finer than in any depth buffer.
+    /// How near the point is: of two points under the same projection, the nearer one has the greater number. The
+    /// number tells distances apart that differ by 2⁻²⁵ of themselves, which is finer than any depth buffer.
     pub nearness: u32,
 }
 
@@ -44,7 +44,7 @@ const MANTISSA: u32 = 26;
 const MOST_DOWN: u32 = 47;
 
 impl ScreenPoint {
-    /// The same position, in front of everything: nothing hides a [label](Canvas::label) there.
+    /// The same position on the screen, with the nearest depth, so that nothing hides a [label](Canvas::label) there.
     #[must_use]
     pub const fn on_top(self) -> Self {
         Self {
@@ -77,8 +77,8 @@ impl Viewport {
     /// The result is `None` if the point is nearer than the near plane, beyond the far plane, or more than 2048 pixels
     /// away from the viewport's center, horizontally or vertically. The position may lie outside the viewport.
     ///
-    /// Use it to place a [`label`](Canvas::label) beside an object. For the opposite direction, from a pixel into the
-    /// scene, see [`ray`](Self::ray).
+    /// Use the position to place a [`label`](Canvas::label) beside an object. For the opposite direction, from a pixel
+    /// into the scene, see [`ray`](Self::ray).
     #[must_use]
     pub fn project(&self, point: Vec3, mvp: &impl AsMvp) -> Option<ScreenPoint> {
         let projector = self.projector(Positions::of_one(&point), mvp);
@@ -159,12 +159,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Surfaces that are nearer than `at` hide the pixels of the label.
     ///
     /// Everything drawn to the label has the point's depth, so the label looks like a sheet of paper that faces the
-    /// viewer. A pixel is drawn if it is at least as near as the stored depth. The stored depth does not change.
-    /// Drawing cannot fail. Any point and any rectangle is allowed; `clear` fills every pixel that the scene does not
-    /// hide.
+    /// viewer. A pixel of the label is drawn if the point is at least as near as the depth that the canvas has stored
+    /// there. The stored depth does not change. Drawing cannot fail. Any point and any rectangle is allowed; `clear`
+    /// fills every pixel that the scene does not hide.
     ///
     /// A label at a point of a surface may be hidden by parts of the same surface that are nearer. To avoid this,
-    /// project a point in front of the surface. Nothing hides a label [`on_top`](ScreenPoint::on_top).
+    /// project a point in front of the surface. Or place the label at `at.on_top()` ([`on_top`](ScreenPoint::on_top)),
+    /// where nothing hides it.
     ///
     /// ```
     /// use embedded_graphics::mock_display::MockDisplay;
@@ -217,12 +218,13 @@ impl<C: PixelColor, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Whether a mesh within `bounds` may have a pixel in this canvas. If the result is `false`, the mesh certainly has
     /// none, whether it is drawn as triangles, as points or as hairlines. [Wide](crate::LineStyle) lines, points larger
     /// than [one pixel](crate::PointStyle) and [sprites](crate::Sprites) reach beyond their positions. For these,
-    /// enlarge `bounds` by half of their width or size (for smooth lines, by half a pixel more).
+    /// enlarge `bounds` by half of their width or size, in units of the model (for smooth lines, by half a pixel more).
     ///
     /// If a mesh [keeps its bounds](crate::Mesh::with_bounds), its draw call makes the same test for the whole frame.
-    /// So ask only what the draw call does not know: whether an object of several meshes is in view, or whether a mesh
-    /// is in this band. On a Cortex-M4 the test takes as many instructions as one or two triangles of one pixel. Most
-    /// of these instructions are for a set-up that every draw call needs before its first vertex.
+    /// So call this function only for a test that the draw call does not make: whether an object of several meshes is
+    /// in view, or whether a mesh is in this band. On a Cortex-M4 the test takes as many instructions as one or two
+    /// triangles of one pixel. Most of these instructions set up the transform, as every draw call does before its
+    /// first vertex.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

@@ -32,8 +32,8 @@ pub struct Ray {
     pub origin: Vec3,
     /// The direction of the ray.
     pub direction: Direction,
-    /// Which faces the ray ignores: none, those that it meets from behind, or those that it meets from the front. Seen
-    /// from the front, a face's corners run counter-clockwise.
+    /// Which faces the ray ignores: none, faces that it meets from behind, or faces that it meets from the front. The
+    /// front of a face is the side from which its corners run counter-clockwise.
     pub cull: Cull,
 }
 
@@ -52,8 +52,8 @@ pub struct Ray {
 pub struct Hit {
     /// The index of the face among the mesh's [`faces`](Mesh::faces).
     pub face: usize,
-    /// The point of the face, in model space. Before the point is rounded to nearest, its error is at most 2⁻²⁹ of the
-    /// face's size.
+    /// The point where the ray meets the face, in model space. Its error is at most 2⁻²⁹ of the face's size, plus the
+    /// rounding to the nearest `Vec3`.
     pub point: Vec3,
     /// The distance of the point from the ray's origin, in the model's units, rounded to nearest; saturates.
     pub distance: Scalar,
@@ -88,9 +88,9 @@ impl Ray {
 
     /// The face of a mesh that the ray meets first, and the point there; `None` if the ray meets no face.
     ///
-    /// The test whether the ray meets a face is exact, so a ray never slips through an edge between two faces. Faces
-    /// count as equally far away if their distances differ by less than 2⁻²⁹ of their extent. Of these faces, the last
-    /// is returned, because it is drawn over the other faces.
+    /// Whether the ray meets a face is computed exactly, so a ray never slips through between two faces that share an
+    /// edge. If the distances of two faces differ by less than 2⁻²⁹ of the faces' extent, they count as equal. The
+    /// later face in the mesh is then returned, because a draw call draws it over the earlier one.
     #[must_use]
     pub fn hit(&self, mesh: &Mesh<'_>) -> Option<Hit> {
         let view = RayView::new(self);
@@ -289,8 +289,8 @@ fn in_model(
 
 impl Viewport {
     /// The ray of a pixel in model space: the points that `mvp` projects to the pixel's center. The ray starts at the
-    /// near plane. By default, it passes through faces that it meets from behind, because a draw call culls them. If
-    /// you draw with another [`Cull`], set [`Ray::cull`].
+    /// near plane. By default, the ray passes through faces that it meets from behind, because a draw call culls these
+    /// faces by default. If you draw with another [`Cull`], set [`Ray::cull`].
     ///
     /// The result is `None` if the pixel is outside the viewport, if the model's transform has no inverse, or if the
     /// ray's origin is not within ±32,768 in model space.
@@ -320,8 +320,8 @@ impl Viewport {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// Distances to hits on two objects cannot be compared, because each is in its own object's units. Compare how near
-    /// they are on the screen:
+    /// Do not compare the distances of hits on two objects, because each distance is in the units of its own object.
+    /// Compare the nearness of the two points on the screen:
     ///
     /// ```
     /// # use embedded_graphics::geometry::Point;

@@ -12,8 +12,8 @@ use crate::raster::ScreenVertex;
 use crate::view::{AsMvp, ProjectionKind, Viewport};
 
 impl Viewport {
-    /// The pixels of this viewport that a draw call may change, if it draws a mesh within `bounds`: the smallest
-    /// rectangle around the box on the screen, rounded outward to whole pixels. `None` if there are no such pixels.
+    /// The pixels of this viewport that a draw call may change, if it draws a mesh within `bounds`: a rectangle around
+    /// the box on the screen, rounded outward to whole pixels. `None` if there are no such pixels.
     ///
     /// If a mesh moves over a still picture, clear, draw and send to the display only this rectangle: see the example.
     ///
@@ -26,9 +26,10 @@ impl Viewport {
     /// | sprites with a size [in pixels](crate::Sprites::in_pixels) that face the viewer, with the anchor inside them | width plus height, times the greatest scale |
     /// | other [sprites](crate::Sprites), [attenuated](crate::PointStyle::attenuated) points | 1; and enlarge `bounds` by their size |
     ///
-    /// The rectangle is never too small, for any position in `bounds`. Before it is rounded outward, it is too large by
-    /// at most 1/16 pixel on each side, unless the box is more than 100 times as large as its distance from the eye. If
-    /// the near plane of a perspective projection cuts the box, the rectangle is the whole viewport.
+    /// The rectangle contains everything that a mesh in `bounds` can draw. Before the rectangle is rounded outward,
+    /// each of its sides is at most 1/16 pixel outside the box, unless the box is more than 100 times as large as its
+    /// distance from the eye. If the near plane of a perspective projection cuts the box, the rectangle is the whole
+    /// viewport.
     ///
     /// The viewport may reach beyond the frame, and a canvas may hold only a band of the frame. To keep the part that is
     /// in memory, intersect the rectangle with the canvas's

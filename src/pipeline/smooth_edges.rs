@@ -25,31 +25,32 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     ///
     #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
     /// Where an edge of the outline passes between the centers of two neighboring pixels, this function mixes their
-    /// colors: each pixel gets the other's color for the [share of the pixel](crate::guide::mathematics::coverage) that
-    /// lies beyond the edge. So the shape neither grows nor shrinks. The function mixes the colors on the canvas,
-    /// whatever drew them, and calls no shader. If the canvas has a depth buffer, the function leaves out edges behind
-    /// other surfaces. The result counts edges, as if [`mesh.outline`](Mesh::outline) were drawn.
+    /// colors. If a [share](crate::guide::mathematics::coverage) of a pixel lies beyond the edge, the neighbor's color
+    /// replaces this share of the pixel's color. So the shape neither grows nor shrinks. The function mixes the colors
+    /// that are on the canvas, and calls no shader. If the canvas has a depth buffer, the function leaves out edges
+    /// behind other surfaces. The result has the same counts as a draw call of [`mesh.outline`](Mesh::outline).
     ///
     /// With a crease angle of 180 degrees, an outline has silhouettes only. Use a smaller angle if the faces of a mesh
     /// differ in color where they meet, such as the sides of a lit box. Where a crease and a silhouette pass between
-    /// the same two pixels, the silhouette counts.
+    /// the same two pixels, only the silhouette is smoothed.
     ///
-    /// Where two colors meet along a long edge, the result is within 3/256 of the exact share. Compared with the mean
-    /// of 64 samples a pixel, smoothing removes 60 to 90 % of the error beside edges; it removes least where faces are
-    /// smaller than a pixel. On a Cortex-M4, smoothing adds a tenth to two fifths to the instructions of a lit mesh.
+    /// Along a long edge between two colors, the share of each color has an error of at most 3/256. If the mean of 64
+    /// samples per pixel counts as exact, smoothing removes 60 to 90 % of the error beside edges, and least where faces
+    /// are smaller than a pixel. On a Cortex-M4, a lit mesh takes 10 to 40 % more instructions with smoothing.
     ///
-    /// Formats with at most 4 bits per channel are dithered. In black and white, smoothing then shows little, so draw
-    /// and smooth a canvas of `Gray8`, and dither it when it is shown ([`show_with`](Self::show_with),
-    /// [`show_diffused`](Canvas::show_diffused)).
+    /// In formats with at most 4 bits per channel, the mixed colors are dithered. In black and white, dithering hides
+    /// most of the smoothing, so draw and smooth a canvas of `Gray8`, and dither it when it is shown
+    /// ([`show_with`](Self::show_with), [`show_diffused`](Canvas::show_diffused)).
     ///
-    /// Each pixel is mixed once: a mixed pixel gets the nearest depth as a mark. So draw nothing with a depth test
-    /// afterwards, unless you call [`clear_depth`](Self::clear_depth) first. Without a depth buffer, a pixel at a
-    /// corner may be mixed twice.
+    /// Each pixel is mixed only once: to mark a mixed pixel, the function sets its depth to the nearest depth. So draw
+    /// nothing with a depth test afterwards, unless you call [`clear_depth`](Self::clear_depth) first. Without a depth
+    /// buffer, a pixel at a corner may be mixed twice.
     ///
-    /// A pixel needs its neighbors, so edges may keep their stairs at the borders of the viewport, and in the top and
-    /// bottom row of a [band](Self::band). To prevent this in bands, let each band reach one row further up and down
-    /// than the rows that are shown. With a depth buffer, bands then have the same bits as the whole frame. For many
-    /// bands, [`smooth_prepared`](Self::smooth_prepared) finds the outline only once a frame.
+    /// A pixel can be mixed only with a neighbor in memory, so edges may stay jagged at the borders of the viewport,
+    /// and in the top and bottom row of a [band](Self::band). To prevent this in bands, let each band reach one row
+    /// further up and down than the rows that are shown. With a depth buffer, bands then have the same bits as the
+    /// whole frame. Each call finds the outline anew; to find it only once for all bands of a frame, use
+    /// [`smooth_prepared`](Self::smooth_prepared).
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray4, GrayColor}};
@@ -103,8 +104,9 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
             .smooth(|smoother| edges::draw(&call, edges, (raster::smooth_edge, 1), smoother))
     }
 
-    /// Does the same as [`smooth_edges`](Self::smooth_edges) for outlines that were [prepared](crate::DrawList::prepare)
-    /// once for all bands of a frame, with the depth test [`Biased::in_front`].
+    /// Smooths edges like [`smooth_edges`](Self::smooth_edges), but takes the outlines from a list that was
+    /// [prepared](crate::DrawList::prepare) once for all bands of a frame. Prepare the list with the depth test
+    /// [`Biased::in_front`].
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};

@@ -31,7 +31,7 @@ pub trait Thing<C>: Copy + Sealed {
     fn draw<V: AsMvp>(self, mvp: &V, to: Target<'_, impl Shading>) -> Drawn;
 }
 
-/// Where a thing is drawn, and what draws its pixels.
+/// The target of a draw call: the rows of a frame, and the blitter that draws their pixels.
 pub struct Target<'t, P> {
     pub(super) region: Region<'t>,
     pub(super) shading: &'t P,

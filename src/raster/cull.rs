@@ -4,8 +4,8 @@
 ///
 /// A triangle shows its front if its corners run counter-clockwise on the screen. If a transform mirrors the mesh (its
 /// matrix has a negative determinant), fixel reverses this rule: the corners of a front then run clockwise. So a
-/// mirrored mesh still shows the outside of its faces. Leave the culling as it is for a mirror (OpenGL programs change
-/// it), for a [mirrored camera](crate::Camera::mirrored), and for the [shadow](crate::Transform::shadow) of a closed
+/// mirrored mesh still shows the outside of its faces. Unlike in OpenGL, do not change the culling for a transform that
+/// mirrors, for a [mirrored camera](crate::Camera::mirrored), or for the [shadow](crate::Transform::shadow) of a closed
 /// mesh.
 ///
 /// ```

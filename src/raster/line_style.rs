@@ -5,18 +5,20 @@ use core::ops::Bound::Included;
 use crate::error::{Error, check_range, ok};
 use crate::num::Scalar;
 
-/// How wide lines are, and whether they are anti-aliased: for [`Mesh::edges`](crate::Mesh::edges) and
-/// [`Mesh::outline`](crate::Mesh::outline).
+/// The width of lines, and whether they are anti-aliased; [`Mesh::edges`](crate::Mesh::edges) and
+/// [`Mesh::outline`](crate::Mesh::outline) take a style.
 ///
 /// A line is drawn in steps of one pixel: along y if the line is steep (y changes more than x), otherwise along x. Each
-/// step draws a run of pixels at right angles to this axis. A line from a to b has the same pixels as a line from b to a.
+/// step draws a run of pixels: a part of a row if the line is steep, otherwise a part of a column. A line from a to b
+/// has the same pixels as a line from b to a.
 ///
-/// A run has the pixels whose centers are at most half the width away from the line, measured along the run. A center
-/// exactly at the upper or left end of the run does not belong to it; a center at the lower or right end does. So a
-/// line of width n has n pixels in each run.
+/// A run consists of the pixels whose centers are at most half the width away from the line, measured along the run. A
+/// center exactly at the upper or left end of the run does not belong to it; a center at the lower or right end does.
+/// So a line of width n has n pixels in each run.
 ///
-/// The first and the last run depend on the ends of the line. A center at the left end of the line (in steep lines, the
-/// upper end) belongs to the line; a center at the right end (in steep lines, the lower end) does not.
+/// The line has a run at each pixel center between its two ends, measured along the axis of the steps. A center exactly
+/// at the left end (in steep lines, the upper end) gets a run; a center exactly at the right end (in steep lines, the
+/// lower end) does not.
 ///
 /// A [hairline](Self::HAIRLINE) also draws the pixels that contain its ends, so that lines meet at every corner. If
 /// colors are [blended](crate::DrawOptions::with_blending) or translucent, it draws the pixel at an end only if the
@@ -63,19 +65,20 @@ use crate::num::Scalar;
 ///
 /// The ends of a line are exact to 1/256 pixel. Let d be the distance from the pixel's center to the nearest point of
 /// the line. Then the share is (width + 1)/2 − d, limited to the range from 0 to 1. So the width is measured at right
-/// angles to the line, ends are round, and a line is equally strong in every direction. A share has an error of at most
-/// 1.3/256. Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels,
+/// angles to the line, ends are round, and a line looks equally wide in every direction. A share has an error of at
+/// most 1.3/256. Blending rounds like [`Opacity`](crate::canvas::Opacity), and dithers coarse colors. On 1-bit panels,
 /// hairlines look better.
 ///
-/// Depth and varyings change along the longer axis, as on a hairline; beyond an end, they have the values at the end.
-/// So a pixel may have the depth of a place on the line that is up to √2 · (width + 1)/2 pixels away. If a mesh hides
-/// the lines on it, draw the mesh [`Biased`](crate::canvas::Biased) away from the eye, with this number as the slope,
-/// as in the example below. Or draw the outline of the mesh `Biased` toward the eye, with the same slope. Draw smooth
-/// lines last, with [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the
-/// canvas, so a surface behind it that is drawn later does not show through.
+/// All pixels of a step have the same depth and the same varyings: the line's values at this step, as on a hairline.
+/// Beyond an end, they have the values at the end. So a pixel may have the depth of a place on the line that is up to
+/// √2 · (width + 1)/2 pixels away. A mesh may therefore hide the lines on it. To prevent this, draw the mesh
+/// [`Biased`](crate::canvas::Biased) away from the eye, with the slope √2 · (width + 1)/2, as in the example below. Or
+/// draw the outline of the mesh `Biased` toward the eye, with the same slope. Draw smooth lines last, with
+/// [`TestOnly`](crate::canvas::TestOnly). A line is blended with the colors that are already on the canvas, so a
+/// surface behind it that is drawn later does not show through.
 ///
-/// If the draw options have a blending, it is applied first. Then the result covers the color on the canvas in
-/// proportion to the pixel's share.
+/// If the draw options have a blending, a pixel's color is first blended with the color on the canvas. The blended
+/// color then covers the color on the canvas in proportion to the pixel's share.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

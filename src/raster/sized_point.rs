@@ -10,13 +10,14 @@ use crate::num::Scalar;
 /// By default, a point is [one pixel](Self::PIXEL).
 ///
 /// A pixel belongs to a point if its center lies within the square or disc around the point's position on the screen.
-/// The position is exact to 1/256 pixel. A square includes its lower and its right border. So if n is a whole number, a
-/// square of size n always covers n × n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of
-/// squares are one size apart, the squares adjoin without overlaps. A disc includes its border, and the pixel that
-/// contains the point, even if that pixel's center lies outside.
+/// The position is exact to 1/256 pixel. A center exactly on the lower or the right border of a square is within the
+/// square; a center on the upper or the left border is not. So if n is a whole number, a square of size n always covers
+/// n × n pixels, and a square of size 1 is [one pixel](Self::PIXEL). If the positions of two squares are as far apart
+/// as the squares are wide, the squares touch without a gap or an overlap. A center on the border of a disc is within
+/// the disc. A disc also covers the pixel that contains its position, even if this pixel's center lies outside.
 ///
-/// Points are drawn with a size of at least 1 and at most 255 pixels. All pixels of a square or disc have the depth and
-/// the varyings of its position.
+/// A size below 1 pixel is drawn as 1 pixel, and a size above 255 pixels as 255 pixels. All pixels of a square or disc
+/// have the depth and the varyings of its position.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -74,8 +75,8 @@ impl PointStyle {
 
     /// The same style with a size in world units, so that points become smaller with the distance.
     ///
-    /// The size on the screen follows the vertical scale of the projection. A scale in the model's transform does not
-    /// change the size.
+    /// If a projection scales x and y differently, the scale of y determines the size on the screen. A scale in the
+    /// model's transform does not change the size.
     #[must_use]
     pub const fn attenuated(self) -> Self {
         Self {

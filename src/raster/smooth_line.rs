@@ -27,9 +27,10 @@ use crate::num::wide::product;
 /// ```
 ///
 /// `direction` has an error of at most 1.3 · 2⁻²⁶, which moves a line by less than 2⁻¹² pixel at a distance of 4096
-/// pixels in each direction. The distance is the root of the sum of the squares of `across` and `along`. All three are
-/// cut to 2⁻¹⁰ pixel: together, this is an error of (1 + √2) · 2⁻¹⁰. Near the ends, `along` has an error of 2⁻¹¹ more.
-/// Rounding the share to 256ths adds 2⁻⁹. In all, the error is at most 1.3/256.
+/// pixels in each direction. The distance of a pixel from the line is √(`across`² + e²), where e is how far the pixel
+/// lies beyond an end (0 between the ends). `across`, e and the root are each cut to 2⁻¹⁰ pixel; the three cuts add an
+/// error of (1 + √2) · 2⁻¹⁰. Beyond an end, `along` adds an error of 2⁻¹¹. Rounding the share to 256ths adds 2⁻⁹. In
+/// all, the error is at most 1.3/256.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coverage {
     /// The vector of length one from a toward b, in units of 2⁻²⁵.

@@ -9,7 +9,8 @@ use super::{
 };
 use crate::mesh::{Corner, Primitive, Reads};
 
-/// A surface and an effect. The effect changes the surface's output and has varyings of its own.
+/// A surface with an effect, such as light. The effect changes the surface's output, and may interpolate further
+/// varyings.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Adapted<S, E> {
@@ -17,7 +18,7 @@ pub struct Adapted<S, E> {
     pub(super) effect: E,
 }
 
-/// An effect that changes the output, of type `O`, of a surface: a light, a tint, or fog.
+/// An effect that changes the output of a surface: a light, a tint, or fog. `O` is the type of the output.
 #[doc(hidden)]
 pub trait Effect<O: Output>: Copy {
     /// The output after the effect.

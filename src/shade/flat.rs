@@ -33,7 +33,8 @@ pub struct Flat<O> {
 
 impl<C> Flat<C> {
     /// A shader with one color, given as red, green and blue, for a canvas of color `C`. Light and other adapters
-    /// change the exact color; the result is then rounded, or dithered if `C` has fewer than 5 bits per channel.
+    /// compute with the exact color; the canvas then rounds the result, or dithers it if `C` has fewer than 5 bits per
+    /// channel.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -81,9 +82,9 @@ impl<O: Output> Shader for Flat<O> {
 /// One color per triangle, in the order of the mesh's faces.
 ///
 #[cfg_attr(doc, doc = page_picture!("face_colors", "A coarse ball whose triangles have different colors"))]
-/// If edges are drawn, an edge has the color at [its index](crate::Primitive::edge). Points, and triangles and edges
-/// beyond the end of the list, have the list's last color. If the list is empty, everything is black (the color's
-/// default).
+/// If edges are drawn, an edge has the color at [its index](crate::Primitive::edge). A triangle or edge whose index is
+/// beyond the end of the list has the list's last color, and so has every point. If the list is empty, everything has
+/// the default of the color type, which is black.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -142,7 +143,7 @@ impl<C: PixelColor + Default> Shader for FaceColors<'_, C> {
 /// One color for each [`Part`] of a mesh; made by [`rgb`](Self::rgb).
 ///
 #[cfg_attr(doc, doc = page_picture!("part_colors", "A ring with red and white parts"))]
-/// Faces that belong to no part are white. Edges and points are white, too.
+/// Edges, points, and faces that belong to no part are white.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PartColors<'a, C = Rgb888> {
     parts: &'a [Part<'a>],
@@ -154,8 +155,8 @@ impl<'a> PartColors<'a> {
     /// as [`include_materials!`](crate::include_materials) makes them. The shader finds a triangle's part by binary
     /// search.
     ///
-    /// Light and other adapters change the exact color; the result is then rounded, or dithered if `C` has fewer than 5
-    /// bits per channel.
+    /// Light and other adapters compute with the exact colors; the canvas then rounds the result, or dithers it if `C`
+    /// has fewer than 5 bits per channel.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};

@@ -18,8 +18,8 @@ use crate::sealed::Sealed;
 /// much of a surface remains visible at each distance.
 ///
 #[cfg_attr(doc, doc = page_picture!("in_fog", "A row of rings that fade into gray"))]
-/// The distance z is measured from the eye along the view direction, as [`Corner::distance`](crate::Corner::distance)
-/// is. The distance is interpolated in correct perspective.
+/// The distance z is measured from the eye along the view direction, like
+/// [`Corner::distance`](crate::Corner::distance). The distance is interpolated in correct perspective.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Gray8, Gray4, GrayColor}};
@@ -52,16 +52,17 @@ use crate::sealed::Sealed;
 /// | [`Affine`](crate::mode::Affine) | no bound | no bound |
 /// | any, under a parallel projection | \|z − far\| ≤ 30,000 · (far − near) at all corners | density · \|z\| ≤ 40,000 at all corners |
 ///
-/// R is the triangle's range of distances, (a + b) / c, where a is the greatest distance of a corner, b is how far a
-/// corner lies behind the eye, and c is the least distance that is drawn. For example, a floor from the near plane at
-/// 0.1 to a distance of 300 has an R of 3,000. In linear fog from 10 to 100, R · far / (far − near) is then 3,333. At n
-/// times the limit, the error is at most n/100. In linear fog, the error grows faster at distances of more than 65,536 ·
-/// (far − near) beyond `far`, where the fog is cut off. Divide a triangle above the limit into smaller triangles.
+/// R is the triangle's ratio of distances, (a + b) / c. Here, a is the distance of the farthest corner, b is how far
+/// the rearmost corner lies behind the eye (0 if none does), and c is the least distance that is drawn. For example, a
+/// floor from the near plane at 0.1 to a distance of 300 has an R of 3,000. In linear fog from 10 to 100, R · far /
+/// (far − near) is then 3,333. If the left side of a condition is n times its limit, the error is at most n/100. In
+/// linear fog, the error is greater if a corner lies more than 65,536 · (far − near) beyond `far`, because the
+/// interpolated number saturates there. Divide a triangle that exceeds the limit into smaller triangles.
 ///
 /// For a plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
-/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. This adds an error of at most 1/64,
-/// and halves the time of the blend. If another adapter comes before or after the fog, such as a light or
-/// [`dithered`](super::Shader::dithered), the share is not rounded.
+/// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. Rounding adds an error of at most
+/// 1/64, and halves the time to blend the surface and the fog. If another adapter comes before or after the fog, such
+/// as a light or [`dithered`](super::Shader::dithered), the share is not rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fog<C, D = LinearFog> {
     color: C,
@@ -192,9 +193,9 @@ impl Density for ExponentialFog {
 impl<C: PixelFormat> Fog<C> {
     /// Fog that begins at the distance `near` and hides everything at the distance `far` and beyond.
     ///
-    /// A thin band of fog needs small triangles. Let R be the greatest distance in a triangle divided by the least. If
-    /// R · `far` / (`far` − `near`) is at most 30,000, the visible share has an error of at most 1/100. The table of
-    /// [`Fog`](Fog#accuracy) has the exact condition for each mode.
+    /// If `near` and `far` are close together, the fog needs small triangles. Let R be the greatest distance in a
+    /// triangle divided by the least. If R · `far` / (`far` − `near`) is at most 30,000, the visible share has an error
+    /// of at most 1/100. The table of [`Fog`](Fog#accuracy) has the exact condition for each mode.
     ///
     /// # Errors
     ///
@@ -213,8 +214,8 @@ impl<C: PixelFormat> Fog<C, ExponentialFog> {
     /// Fog that is equally thick everywhere: at the distance z, the share e^(−`density` · z) of a surface remains
     /// visible.
     ///
-    /// At the greatest density, 5, the share 1/100 remains visible at a distance of 0.92. For a denser fog, make the
-    /// scene larger.
+    /// At the greatest density, 5, only 1/100 of a surface remains visible at a distance of 0.92 units. For a denser
+    /// fog, scale the whole scene up.
     ///
     /// # Errors
     ///
@@ -261,8 +262,9 @@ impl<O: Output<Color = C>, C: PixelFormat, D: Density> Effect<O> for Fog<C, D> {
     }
 }
 
-/// An output and a fog that are not blended yet. If no other adapter follows, a plain color of 15 or 16 bits is blended
-/// in 32 steps, by one product for all channels. Such a blend takes half as long as a blend in full precision.
+/// A surface's output and the fog's share at a pixel, before the two are blended. If no other adapter follows, a plain
+/// color of 15 or 16 bits is blended in 32 steps, by one product for all channels. This takes half as long as a blend
+/// in full precision.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<O: Output, D> {

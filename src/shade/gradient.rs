@@ -15,8 +15,8 @@ const BITS: u32 = 12;
 /// a high height, and a proportional mixture between the two heights.
 ///
 #[cfg_attr(doc, doc = page_picture!("gradient", "A ball that is blue at the bottom and pale yellow at the top"))]
-/// The color is computed at the vertices and interpolated in correct perspective. The color's error at a vertex is at
-/// most 1/60 step of a 6-bit channel and 1/15 step of an 8-bit channel.
+/// The color is computed at the vertices and interpolated in correct perspective. The color at a vertex has an error of
+/// at most 1/60 step in a 6-bit channel, or 1/15 step in an 8-bit channel.
 ///
 /// Draw a sky before everything else, from inside, with a [camera that stays in the sky's center](crate::Camera::sky),
 /// and without a depth test:

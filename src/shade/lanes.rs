@@ -5,10 +5,10 @@
 
 use crate::sealed::Sealed;
 
-/// A number N from 0 to 8, written as the type `[(); N]`; [`Of`](Self::Of) is an array of N values of any type.
+/// A number N from 0 to 8 as a type: the type `[(); N]` stands for N. [`Of`](Self::Of) is an array of N values.
 ///
-/// Unlike array lengths, these numbers can be added on stable Rust. An adapter of a [`Shader`](super::Shader) needs the
-/// sum to append its own varyings to the inner shader's varyings.
+/// Stable Rust cannot add array lengths, but it can add these numbers. An adapter of a [`Shader`](super::Shader) needs
+/// the sum to append its own varyings to the inner shader's varyings.
 #[doc(hidden)]
 pub trait Lanes: Copy + Sealed {
     /// The array `[T; N]`.

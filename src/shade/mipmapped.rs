@@ -13,7 +13,8 @@ use crate::view::{Projection, Viewport};
 /// The density of edges and points: less than the density of any triangle, so that edges and points have level 0.
 const FINEST: i32 = -(1 << 20);
 
-/// Chooses the levels of a [`mipmapped`](Textured::mipmapped) texture: a [`Textured`]'s `detail`.
+/// The type parameter `D` of a [`Textured`] that is [`mipmapped`](Textured::mipmapped). It chooses the level of each
+/// pixel.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mipmapped {
@@ -66,27 +67,27 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     ///
     /// where z is the distance along the view direction, `focal` is the focal length in pixels, d is the distance of
     /// the eye from the triangle's plane, and `density` is the number of texels per unit of length on the triangle, as
-    /// a mean of both directions of the texture. A pixel at this distance has the size z / focal; on the plane, it is
-    /// stretched z / d times along the line of sight. So the level suits the direction in which a texture is
-    /// foreshortened most, as is usual in graphics hardware; in the other direction, the picture is softer than
-    /// necessary. Toward the corners of the picture, the stretch is greater than z / d, by a factor of at most the
-    /// pixel's true distance divided by z.
+    /// a mean of both directions of the texture. A pixel covers z / focal units of length at the distance z. On a plane
+    /// that is seen at an angle, the pixel covers z / d times this length along the line of sight. The level suits this
+    /// direction, in which the texture is foreshortened most, as is usual in graphics hardware; in the other direction,
+    /// the picture is softer than necessary. Toward the corners of the picture, the pixel covers more than the formula
+    /// says: up to the pixel's true distance divided by z times as much.
     ///
     /// `density` and d are computed once for each triangle, and z comes from [`Fragment::depth`]. The level differs
-    /// from the formula by at most 1/8 if the depth is at least 32 and the triangle's sides and d are at least 1/16
-    /// unit. A level below 0 counts as 0. Edges and points show level 0, and so do triangles with all three texture
-    /// coordinates on one line.
+    /// from the formula by at most 1/8 if the pixel's depth is at least 32 of 65,535, and if d and the triangle's sides
+    /// are at least 1/16 unit long. A level below 0 counts as 0. Edges and points show level 0, and so do triangles
+    /// with all three texture coordinates on one line.
     ///
     /// The formula holds for a perspective projection. Under a parallel projection, distant surfaces do not become
-    /// smaller. Give the texture the right size instead.
+    /// smaller. So choose a texture with about as many texels as the surface has pixels on the screen.
     ///
     /// # Accuracy
     ///
-    /// The table lists by how much a pixel differs, on average, from the mean of the texture over the pixel's area. The
-    /// unit is a step of a channel that has steps from 0 to 255. The pixels show the benchmark's floor from 1 to 20
-    /// units ahead. The checkered texture has 64x64 texels in squares of 8x8 texels, and repeats 1, 8 or 32 times. The
-    /// mean is taken over eight positions of the eye. `cargo test --test accuracy mipmap -- --nocapture` prints these
-    /// figures.
+    /// The table lists how far a pixel's channel is, on average, from the mean of the texture over the pixel's area,
+    /// for channels from 0 to 255. The pixels show the benchmark's floor, from 1 to 20 units ahead of the eye. The
+    /// checkered texture has 64x64 texels in squares of 8x8 texels, and repeats 1, 8 or 32 times on the floor. The
+    /// numbers are means over eight positions of the eye. `cargo test --test accuracy mipmap -- --nocapture` prints
+    /// these figures.
     ///
     /// | | 1 repeat | 8 repeats | 32 repeats |
     /// |---|---:|---:|---:|
@@ -96,14 +97,14 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
     /// | mipmapped, bilinear | 4.73 | 6.26 | 7.05 |
     /// | mipmapped, trilinear | 4.67 | 6.06 | 6.42 |
     ///
-    /// A bilinear filter also softens the edges of near squares.
+    /// With 1 repeat, a bilinear filter has a greater error, because it also softens the edges of near squares.
     ///
     /// # Cost
     ///
-    /// The table lists the host's instructions per pixel of the benchmark's floor (x86-64, default mode, 64x64 texels
-    /// of Rgb565, no pixel at level 0). For microcontrollers, the program `kernels` prints these figures (in the lines
-    /// whose names contain "mipmap" or "trilinear"). In addition, computing `density` takes a few hundred instructions
-    /// for each triangle.
+    /// The table lists x86-64 instructions per pixel of the benchmark's floor (default mode, 64x64 texels of Rgb565, no
+    /// pixel at level 0 in the last row). For microcontrollers, the project's program `kernels` prints such figures, in
+    /// the lines whose names contain "mipmap" or "trilinear". In addition, computing `density` takes a few hundred
+    /// instructions for each triangle.
     ///
     /// | | nearest | bilinear | trilinear |
     /// |---|---:|---:|---:|
@@ -127,7 +128,7 @@ impl<S: Sampler, const CLAMPED: bool, F> Textured<S, CLAMPED, F> {
 
 impl<S: Sampler<Color: Blend>, const CLAMPED: bool> Textured<S, CLAMPED, Nearest, Mipmapped> {
     /// Blends the four texels around each pixel in each of the two levels nearest to the pixel's level, then blends the
-    /// two results, so that no edge is visible where a level ends.
+    /// two results, so that no edge is visible between pixels of different levels.
     ///
     /// Each blend is rounded as described for [`bilinear`](Self::bilinear). The position between two levels is rounded
     /// down to 1/32 of a level for colors of 16 bits, or to 1/256 for other colors.

@@ -43,8 +43,8 @@
 //!
 //! # A shader in a struct
 //!
-//! Keep the parts of a shader in your struct: textures, lights, fog. A method puts the parts together when you draw,
-//! which takes only a few instructions. Then you never write the type of a shader:
+//! Keep the parts of a shader in your struct: textures, lights, fog. A method of the struct builds the shader in each
+//! draw call, which takes only a few instructions. Then you need not write the shader's type:
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::Rgb565;
@@ -69,9 +69,9 @@
 //! }
 //! ```
 //!
-//! A struct may also have a type parameter, `struct Model<S> { shader: S }`; the page of [`Shader`] has an example. Only a
-//! `static`, or a resource of RTIC, needs the type itself. The types are in this module. Here, `S` is the surface's type,
-//! `L` the light's, and `C` the color's:
+//! A struct may also have a type parameter, `struct Model<S> { shader: S }`; the page of [`Shader`] has an example. You
+//! must write the shader's type only to store a shader in a `static` or in a resource of RTIC. This module has the
+//! types. In the table, `S` is the type of the surface, `L` of the light, and `C` of the color:
 //!
 //! | made by | type |
 //! |---|---|

@@ -99,7 +99,7 @@ pub trait Output: Copy {
 /// The color of the canvases that a shader can draw on.
 pub type ColorOf<S> = <<S as Shader>::Color as Output>::Color;
 
-/// The output of a shader in full precision, which an adapter around the shader returns.
+/// The type of a shader's output in full precision. An adapter around the shader returns this type.
 pub type PreciseOf<S> = <<S as Shader>::Color as Output>::With<ColorOf<S>>;
 
 impl<C: PixelColor> Output for C {
@@ -165,7 +165,7 @@ impl<C: PixelFormat> Output for Precise<C> {
     }
 }
 
-/// A color that covers a share of the color on the canvas. The share is the opacity, from 0 (nothing) to 255
+/// A color with an opacity, which is the share of the canvas's color that this color covers: from 0 (nothing) to 255
 /// (everything).
 ///
 /// [Masked textures](crate::Textured::masked) and [`Argb4444`](crate::texture::Argb4444) have translucent colors. A
@@ -199,7 +199,7 @@ impl<C: PixelFormat> Output for Precise<C> {
 pub struct Translucent<C> {
     /// The color.
     pub color: C,
-    /// The color's share of the result, in 255ths; the color on the canvas makes up the rest.
+    /// The share of this color in the mixture with the color on the canvas, in units of 1/255.
     pub opacity: u8,
 }
 

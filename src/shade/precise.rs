@@ -77,16 +77,16 @@ impl<C: PixelFormat> Precise<C> {
 
     /// The color of these levels.
     ///
-    /// A level may be below black or above white by up to 511 units of 2⁻¹⁶, which is far more than the error of
-    /// interpolation. Beyond these limits, the color is unspecified.
+    /// A level may be below black or above white by up to 511 units of 1/65,536 step; interpolation errors are far
+    /// smaller. If a level is farther out of range, the color is unspecified.
     #[must_use]
     #[inline]
     pub fn from_levels(levels: [i32; 3]) -> Self {
         Self::of_raised(each(levels, |level| level.wrapping_add(HALF)))
     }
 
-    /// The levels of red, green and blue: steps of the format (in `Rgb565`, red has the steps 0 to 31), in units of
-    /// 1/65,536 step.
+    /// The levels of red, green and blue, in units of 1/65,536 step of the format. (In `Rgb565`, red is from 0 to 31
+    /// steps.)
     #[must_use]
     #[inline]
     pub fn levels(self) -> [i32; 3] {

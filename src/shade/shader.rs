@@ -31,10 +31,10 @@ pub struct Fragment {
 /// interpolated values.
 ///
 #[cfg_attr(doc, doc = page_picture!("lit", "A ring that is lit"))]
-/// [`varyings`](Self::varyings) is called once for each triangle, edge or point that has pixels. For a clipped triangle
-/// or edge, `varyings` is called once for each part. [`shade`](Self::shade) is called once for each visible pixel, with
-/// the values interpolated in correct perspective; it returns `None` to leave the pixel as it is. [`Varyings`] lists
-/// the types that can be interpolated.
+/// [`varyings`](Self::varyings) is called once for each triangle, edge or point that has pixels, or once for each of
+/// the parts into which clipping cuts a triangle or edge. [`shade`](Self::shade) is called once for each visible pixel,
+/// with the values interpolated in correct perspective; it returns `None` to leave the pixel as it is. [`Varyings`]
+/// lists the types that can be interpolated.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, RgbColor}};
@@ -71,8 +71,8 @@ pub struct Fragment {
 /// ```
 ///
 /// A shader that wraps another shader calls the inner `varyings` and `shade`. The outer shader's
-/// [`Varyings`](Self::Varyings) are the inner shader's, alone or in a pair with further varyings. Most effects need no
-/// shader of their own: see [`map`](Self::map).
+/// [`Varyings`](Self::Varyings) are the inner shader's `Varyings`, or a pair of these and further varyings. Most
+/// effects need no shader of their own: see [`map`](Self::map).
 ///
 /// To change the color, the outer shader calls [`lit`](Output::lit) or [`map`](Output::map) on the output of the inner
 /// shader. The outer shader returns the result, which is a color in full precision:

@@ -34,18 +34,19 @@ use crate::texture::{Bilinear, Blend, CutOut, Filter, Nearest, Sampler, texels};
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// The varyings are a column and a row, in texels with 16 fraction bits. Along a side of 16 or more texels, the
-/// varyings hold the texture coordinates exactly; along a shorter side, they are rounded to nearest. The range of the
-/// varyings is ±32,768 texels (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond this range, they
+/// The shader's varyings are a column and a row of the texture, in texels with 16 fraction bits. If the texture has 16
+/// or more columns, the column is exact; otherwise it is rounded to nearest. The same holds for the row. The range of
+/// the varyings is ±32,768 texels (128 repeats of 256 texels, or 8 repeats of 4096 texels); beyond this range, they
 /// saturate. If the texture repeats, the shader first moves a triangle's texture coordinates by whole repeats, so that
-/// their middle is in the first repeat. So the range limits only the extent of a triangle, not its place in the
-/// texture. The texture coordinates of lines and points are not moved.
+/// their middle is in the first repeat. So the range limits how much of a repeating texture one triangle can show, but
+/// not how far the triangle's texture coordinates are from 0. The texture coordinates of lines and points are not
+/// moved.
 ///
 /// # The type
 ///
-/// The methods choose the type's parameters, which have defaults. A program [that writes the
-/// type](crate::shade#a-shader-in-a-struct) must name the parameters: the texture's type; `true` for a clamped texture;
-/// the filter, which is `Nearest`, `Bilinear` or `Trilinear` (of the module [`texture`](crate::texture)); and
+/// The type parameters have defaults, which methods such as `clamped` change. If you [write the
+/// type](crate::shade#a-shader-in-a-struct), you must name the parameters: the texture's type; `true` for a clamped
+/// texture; the filter, which is `Nearest`, `Bilinear` or `Trilinear` (of the module [`texture`](crate::texture)); and
 /// `shade::Mipmapped` for a mipmapped texture. [`cut_out`](Self::cut_out) turns a texture `S` into a
 /// `texture::CutOut<S, C>`, where `C` is the color, and [`masked`](Self::masked) into a `shade::Masked<S, M>`, where
 /// `M` is the mask.
@@ -148,8 +149,9 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     /// # Rounding
     ///
     /// A pixel's position between the centers of texels is rounded to the nearest 1/32 texel for colors of 16 bits
-    /// (such as [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because one word holds all channels of such a color
-    /// during a blend. For other colors, the position is rounded to the nearest 1/256 texel ([`Blend::WEIGHT_BITS`]).
+    /// (such as [`Rgb565`](embedded_graphics::pixelcolor::Rgb565)), because a blend multiplies all channels of such a
+    /// color at once, in one word. For other colors, the position is rounded to the nearest 1/256 texel
+    /// ([`Blend::WEIGHT_BITS`]).
     ///
     /// The filter first makes two blends along rows, each rounded to a whole step, and then one blend between the rows.
     /// A channel's error is at most one step, plus 1/32 (or 1/256) of the greatest difference between the four texels.
@@ -159,9 +161,9 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     /// # Cost
     ///
     /// The table lists the instructions per pixel that the filter takes in addition to the instructions for the nearest
-    /// texel, with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. The ranges cover the modes
-    /// `Exact` and `Affine`; in the default mode, the filter takes 48 instructions for Rgb565 on the M4 and 75 on the
-    /// M0+. The last columns give the bytes of code with `opt-level = "s"`.
+    /// texel, with `opt-level = 3`, for the benchmark's floor with a 64x64 texture in flash. A range spans the modes
+    /// `Exact` and `Affine`. In the default mode, which the ranges do not include, the filter takes 48 instructions for
+    /// Rgb565 on the M4 and 75 on the M0+. The last columns give the bytes of code with `opt-level = "s"`.
     ///
     /// | | Cortex-M4 | Cortex-M0+ | code, M4 | code, M0+ |
     /// |---|---:|---:|---:|---:|
@@ -178,8 +180,8 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
         Textured::of(self.texture, self.detail)
     }
 
-    /// Leaves out the texels of exactly this color, for example around fences, leaves and sprites. In these places,
-    /// both color and depth of the canvas stay as they were.
+    /// Leaves out the texels of exactly this color, for example around fences, leaves and sprites. Where a texel is
+    /// left out, the color and the depth on the canvas do not change.
     ///
     /// At each pixel, the nearest texel decides whether there is a hole. Where there is no hole, a
     /// [`bilinear`](Self::bilinear) filter blends as if the left-out texels had the nearest texel's color. So the
@@ -210,8 +212,8 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
         Textured::of(CutOut { texture, key }, self.detail)
     }
 
-    /// Gives each texel an opacity from a mask, which is a gray texture of the same size: white is opaque, and black
-    /// leaves both color and depth of the canvas as they were.
+    /// Gives each texel an opacity from a mask, which is a gray texture of the same size: white is opaque, and black is
+    /// invisible. Where the mask is black, the color and the depth on the canvas do not change.
     ///
     /// A bilinear filter blends colors and opacities separately, so give invisible texels the colors of their
     /// neighbors.

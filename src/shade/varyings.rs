@@ -6,8 +6,8 @@ use super::lanes::{Lanes, MOST};
 /// The error that a varying may have. If linear interpolation stays within this error, a mode can avoid the perspective
 /// division.
 ///
-/// The type of the [`Varyings`] determines the tolerance: [`Texels`], [`Within`], or plain numbers. The tolerance of
-/// plain numbers is 0.
+/// The type of the [`Varyings`] determines the tolerance: [`Texels`] have the tolerance of the mode, [`Within`] states
+/// its tolerance, and plain numbers have the tolerance 0.
 ///
 /// ```
 /// use fixel::shade::{Texels, Tolerance, Varyings, Within};
@@ -140,7 +140,8 @@ impl Varyings for () {
     fn join(_: [i32; 0], (): ()) -> Self {}
 }
 
-/// A column and a row of a texture, in texels with 16 fraction bits, as exact as the [mode](crate::mode) promises.
+/// A column and a row of a texture, in texels with 16 fraction bits. Their error is at most what the
+/// [mode](crate::mode) promises for textures.
 ///
 /// ```
 /// use fixel::shade::Texels;

@@ -104,7 +104,7 @@ impl<C: PixelFormat> Shader for DepthView<C> {
 /// of this color.
 ///
 /// The view shows the mesh's normals, or each triangle's own normal if the mesh has none. A normal without a direction
-/// is mid-gray. The colors are interpolated, not the directions.
+/// is mid-gray. Between the vertices, the colors are interpolated, and not the directions.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb888;

@@ -1,10 +1,10 @@
 //! From spans to pixels: interpolation, depth test, shader, blending, store.
 //!
-//! A [`plan`] says how pixels are computed. A triangle has one plan for all of its spans, or its mode chooses a plan
-//! for each span. An [`interpolator`] computes the [planes](setup) of a triangle's interpolants, and the first values
-//! of each span. [`Blit`] then calls the kernel (the loop over pixels) that the plan names: [`straight`] only adds;
-//! [`pieces`] adds, and computes a reciprocal at the ends of straight pieces; [`newton`] refines a reciprocal at every
-//! pixel; [`divide`] divides at every pixel.
+//! A [`plan`] says how pixels are computed. The mode chooses one plan for all spans of a triangle, or one plan for each
+//! span. An [`interpolator`] computes the [planes](setup) of a triangle's interpolants, and the first values of each
+//! span. [`Blit`] then calls the kernel (the loop over pixels) that the plan names: [`straight`] only adds; [`pieces`]
+//! adds, and computes a reciprocal at the ends of straight pieces; [`newton`] refines a reciprocal at every pixel;
+//! [`divide`] divides at every pixel.
 
 // Kernels are inlined. A kernel out of line would keep its interpolants and steps in memory. On Cortex-M4, this would
 // add 8 instructions per pixel to 18.

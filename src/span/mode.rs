@@ -117,12 +117,12 @@ fn room(q: u32, step: i32, count: usize) -> Option<u32> {
     is_gentle.then(|| most.leading_zeros().wrapping_sub(1) & 31)
 }
 
-/// Perspective-correct: each pixel divides by its 1/w, exact to 31 bits.
+/// Perspective-correct: each pixel divides by its 1/w, with a reciprocal of 31 bits.
 ///
-/// Each pixel computes its varyings anew from the span's interpolants (1/w, and the varyings divided by w), and rounds
-/// them down to their units. The reciprocal adds a relative error below 2⁻³⁰. If a triangle's farthest corner is more
-/// than 8 to 16 times as far away as its nearest corner (the limit depends on the triangle), each pixel computes its
-/// own interpolants, in 64 bits. So the error stays within a thousandth of a texel, for a texture of 256 texels and
+/// Each pixel multiplies the span's interpolants (the varyings divided by w) by the reciprocal of its 1/w, and rounds
+/// the varyings down to their units. The reciprocal has a relative error below 2⁻³⁰. If a triangle's farthest corner is
+/// more than 8 to 16 times as far away as its nearest corner (the limit depends on the triangle), each pixel computes
+/// its own interpolants, in 64 bits. So the error stays within a thousandth of a texel, for a texture of 256 texels and
 /// depth ratios of up to 1,000 within a triangle.
 ///
 /// ```
@@ -171,8 +171,8 @@ impl Mode for Compact {
 /// Varyings are linear on the screen. This is correct under a parallel projection.
 ///
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
-/// Under perspective, `Affine` bends textures; no other mode does. Use it for surfaces that face the eye, are small, or
-/// are far away relative to their size. Rounding adds an error of up to 37 units to a varying (for a texture
+/// Under perspective, `Affine` bends textures; no other mode does. Use `Affine` for surfaces that face the eye, are
+/// small, or are far away relative to their size. Rounding adds an error of up to 37 units to a varying (for a texture
 /// coordinate, a two-thousandth of a texel). If the varying exceeds 2²⁸ units (4096 texels) in the triangle, the
 /// rounding error is up to four times as large.
 ///
@@ -188,15 +188,15 @@ impl Mode for Affine {
     const KERNEL: Plan = Plan::Straight;
 }
 
-/// The default mode: perspective-correct, with one Newton step per pixel. The step starts from a guess that extends the
-/// line through the reciprocals at the two pixels before.
+/// The default mode: perspective-correct, with one Newton step per pixel. The Newton step improves a guess of the
+/// pixel's reciprocal: the straight line through the reciprocals at the two pixels before, extended to this pixel.
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. The guess has a relative error of 2δ², and the
-/// Newton step squares it. With δ ≤ 2⁻⁶, the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ
-/// is drawn with a reciprocal at every pixel, as in [`Compact`]. To the error of a varying in [`Compact`], rounding adds
-/// up to 50 units (for a texture coordinate, 0.0008 texels).
+/// Newton step squares this error. With δ ≤ 2⁻⁶, the reciprocal has a relative error of at most 2⁻²¹. A span with a
+/// greater δ is drawn with a reciprocal at every pixel, as in [`Compact`]. A varying has the error that it has in
+/// [`Compact`], plus a rounding error of up to 50 units (for a texture coordinate, 0.0008 texels).
 ///
-/// Where division makes no visible difference, this mode does not divide:
+/// In two cases, the division would make no visible difference, so this mode does not divide:
 ///
 /// - A row in which 1/w hardly changes, such as a row of a floor under a camera that does not roll, is drawn linearly
 ///   if the error is at most 16 units.
@@ -206,8 +206,8 @@ impl Mode for Affine {
 ///   triangles of a model are that small. [`Newton::NARROW`] allows only 1/4096 texel in small triangles, too.
 ///
 /// Each span begins with the exact reciprocal. In a row, spans begin at the edge of a triangle, and every 64 pixels
-/// after the edge. These places do not depend on bands, so a frame drawn in bands has the same pixels as a frame drawn at
-/// once.
+/// after the edge. The starts of spans do not depend on bands, so a frame drawn in bands has the same pixels as a frame
+/// drawn at once.
 ///
 /// On a core without 64-bit products, such as Cortex-M0+ and M23, use [`Fast`]. On such a core, `Newton` takes more
 /// than five times the instructions of `Fast` for a pixel with a Newton step, and about twice as many for a frame of
@@ -225,8 +225,8 @@ pub struct Newton {
 }
 
 impl Newton {
-    /// A tolerance of 1/4096 texel in small triangles, too, so that the total error is at most 0.001 texel everywhere.
-    /// Compared with the default, a model of many small textured triangles takes longer.
+    /// Like the default, but with a tolerance of 1/4096 texel in small triangles, too. The total error is at most 0.001
+    /// texel in all triangles. A model of many small textured triangles takes longer to draw than with the default.
     ///
     /// ```
     /// use fixel::{DrawOptions, mode::Newton};
@@ -324,29 +324,29 @@ impl Mode for Newton {
     }
 }
 
-/// Perspective-correct at the ends of straight pieces, and linear in between. Pieces are as long as your tolerance
-/// allows.
+/// Cuts each span into pieces that are perspective-correct at their ends, and linear in between. Pieces are as long as
+/// your tolerance allows.
 ///
 /// In a piece of L pixels, let f′ be the change of a varying per pixel, and δ the relative change of 1/w per pixel. The
-/// straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length that
-/// keeps this error within the tolerance everywhere in the triangle, and δ · L at or below 1/16.
+/// straight line has an error of |f′| · δ · L² / 4. Pieces have 64, 32, 16, 8, 4 or 2 pixels: the greatest length with
+/// which, everywhere in the triangle, this error is within the tolerance and δ · L is at most 1/16.
 ///
 /// The reciprocals at the ends have 16 bits, and two Newton steps compute each reciprocal from the one before. So a
 /// piece needs no division and no 64-bit product. This makes `Fast` the mode for cores on which these operations are
 /// slow, such as Cortex-M0+; it is fast on all cores. A span is drawn as in [`Compact`] if even pieces of two pixels
-/// would break one of these limits, or if 1/w changes by more than 1/64 of itself from one pixel to the next. In a
-/// triangle in which 1/w changes less than fourfold, the limit of 1/64 can rise to 1/32.
+/// would break one of these limits, or if 1/w changes by more than 1/64 of itself from one pixel to the next. If 1/w
+/// changes less than fourfold within the triangle, this limit may be up to 1/32 instead of 1/64.
 ///
 /// For a texture coordinate, the tolerance is in texels, for a texture of any size. For a color, the tolerance is in
 /// steps of a channel (a channel of an [`Rgb565`](embedded_graphics::pixelcolor::Rgb565) has 32 or 64 values). For
-/// other varyings, the tolerance is in multiples of 2^16. In addition, a varying has an error of up to 2^-13 of its
+/// other varyings, the tolerance is in units of 65,536. In addition, a varying has an error of up to 2^-13 of its
 /// greatest value in the triangle: 1/32 texel if a texture of 256 texels is seen once, more if it repeats.
 ///
 /// A triangle that hardly changes in depth is a single piece if two conditions hold: the error of texture coordinates
 /// is within the tolerance, and the error of other varyings is within the shader's own tolerance
 /// ([`Varyings`](crate::shade::Varyings)).
 ///
-/// Pieces end within the triangle, so only rounding moves a varying beyond the values at the corners.
+/// Pieces end within the triangle, so a varying stays between its values at the corners, apart from rounding.
 ///
 /// ```
 /// use fixel::mode::Fast;
@@ -364,12 +364,12 @@ pub struct Fast {
 const MOST_BITS: u32 = 28;
 
 impl Fast {
-    /// A tolerance of 1/32 texel, for cores without 64-bit products, where a larger error would show. For a texture of
-    /// 256 texels, the total error is up to 1/16 texel.
+    /// A tolerance of 1/32 texel. Use it on cores without 64-bit products if a larger error would be visible. For a
+    /// texture of 256 texels, the total error is up to 1/16 texel.
     pub const NARROW: Self = Self::within(crate::fx!(0.031_25));
 
-    /// Pieces with an error of at most this many texels, to which the rounding error is added. With 0 or less, every
-    /// pixel divides.
+    /// Pieces with an error of at most this many texels, plus the rounding error. If `texels` is 0 or less, every pixel
+    /// divides.
     #[must_use]
     pub const fn within(texels: Scalar) -> Self {
         let bits = texels.to_bits();

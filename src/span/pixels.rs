@@ -36,8 +36,8 @@ pub(crate) struct Span<L: Lanes> {
     pub p: L::Of<i32>,
     pub dq: i32,
     pub dp: L::Of<i32>,
-    /// The right shift that turns `q` into a pixel's 16-bit depth: 15 to 47. A shift of 31 or more makes a linear depth
-    /// 0.
+    /// The right shift that turns `q` into a pixel's 16-bit depth: 15 to 47. With a shift of 31 or more, the depth is 0
+    /// in the linear format.
     pub down: u32,
     /// The number of pixels.
     pub count: usize,

@@ -7,8 +7,8 @@ use crate::mesh::Primitive;
 use crate::raster::Coverage;
 use crate::shade::{ColorOf, Fragment, Output, PixelFormat, Shader, Varyings};
 
-/// The source of the colors of a draw call's pixels: a [`Shader`], a [`Blending`], a [`DepthTest`] and, for [`Smooth`]
-/// lines, their coverage.
+/// The rules by which a draw call tests and colors a pixel: a [`Shader`], a [`Blending`], a [`DepthTest`] and, for
+/// [`Smooth`] lines, the share of the pixel that the line covers.
 pub trait Shading: Copy {
     /// The color of the canvas.
     type Color;
@@ -103,7 +103,8 @@ pub(crate) fn is_plane<P: Shading>(shading: &P, halves: [&Primitive<'_>; 2]) -> 
     })
 }
 
-/// The same three, applied to each pixel in proportion to the share of the pixel that the current line covers.
+/// A shader, a blending and a depth test for anti-aliased lines. The color covers the color on the canvas in proportion
+/// to the share of the pixel that the current line covers.
 #[derive(Clone, Copy)]
 pub struct Smooth<'l, S, B, Z> {
     plain: Plain<S, B, Z>,

@@ -7,8 +7,8 @@ use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
 /// The texel's color is an [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A
-/// bilinear filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of their
-/// neighbors.
+/// bilinear filter blends the colors of all texels, even of those with opacity 0, so give texels of opacity 0 the
+/// colors of their neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -25,7 +25,7 @@ pub struct Argb4444(u16);
 ///
 /// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. With a
 /// [`Bilinear`](super::Bilinear) filter, a pixel is a hole if the nearest texel is a hole. Otherwise, the filter blends
-/// as if the holes had the nearest texel's color.
+/// the pixel as if the holes around it had the nearest texel's color.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -60,8 +60,8 @@ impl Argb4444 {
         (self.0 >> 12) as u8 * 17
     }
 
-    /// The color. Each channel's highest bits are repeated as the low bits that [`Rgb565`] has in addition: one bit for
-    /// red and blue, two bits for green. So the highest value stays the highest.
+    /// The color. [`Rgb565`] has more bits per channel: one more for red and blue, two more for green. A channel's
+    /// highest bits are repeated in these low bits, so full brightness stays full brightness.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Rgb565 {
@@ -97,7 +97,7 @@ impl Argb1555 {
         self.0 & 0x8000 == 0
     }
 
-    /// The color, or `None` for a hole. Green's highest bit is repeated as its lowest.
+    /// The color, or `None` for a hole. [`Rgb565`] has one more bit of green: green's highest bit, repeated.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Option<Rgb565> {

@@ -2,7 +2,7 @@
 
 use super::{Blend, Sampler, blend};
 
-/// A texture without the texels of one color; see [`Textured::cut_out`](crate::Textured::cut_out).
+/// A texture in which the texels of one color are holes; see [`Textured::cut_out`](crate::Textured::cut_out).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CutOut<S, C> {

@@ -8,11 +8,11 @@ use crate::message;
 pub struct Picture {
     /// The file's name, for errors.
     pub path: &'static str,
-    /// The numbers of columns and rows. A texture may have this size.
+    /// The numbers of columns and rows, which the macro has checked against the limits of textures.
     pub size: [u32; 2],
-    /// The colors that occur in the picture, at least one. The bytes of a color are: red, green and blue with 5 bits
-    /// each, then with 6 bits each, then with 8 bits each; luma with 1, 2, 4 and 8 bits; and the bits of `Argb1555` and
-    /// of `Argb4444`, the high byte first.
+    /// The colors that occur in the picture, at least one. Each color is stored in all formats, in 17 bytes: red, green
+    /// and blue with 5 bits each, then with 6 bits each, then with 8 bits each; luma with 1, 2, 4 and 8 bits; and the
+    /// two bytes of `Argb1555` and of `Argb4444`, the high byte first.
     pub colors: &'static [[u8; 17]],
     /// The pixels, row by row, as indices of colors; for a mipmap, the pixels of all levels. An index has one byte or,
     /// if there are more than 256 colors, three bytes, the low byte first.
@@ -36,7 +36,7 @@ pub trait FromFile<F, const N: usize, const K: usize>: Sized {
     const VALUE: Self;
 }
 
-/// The texels of a picture's colors. The table may be longer.
+/// A table with the texel of each of a picture's colors. The table may have further entries.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<C: 'static, const K: usize> {
     pub(super) texels: &'static [C; K],

@@ -8,8 +8,8 @@ use super::Sampler;
 ///
 /// `indices` is any sampler of bytes, such as a reference to rows or a [`Texture<u8>`](super::Texture). For indices of
 /// four or two bits, use [`Raw<Gray4>`](super::Raw) or `Raw<Gray2>`. `colors` has 1 to 256 colors. An index beyond the
-/// last color shows the last color. With 256 colors, the default, there is no such index, and the check takes no time.
-/// To draw the same texture darker or in other colors, replace `colors`.
+/// last color shows the last color. With 256 colors, the default, no index is beyond the last color, so the program
+/// does not check. To draw the same texture darker or in other colors, replace `colors`.
 ///
 /// [`include_texture!`](crate::include_texture) makes an `Indexed` texture from a picture with few colors.
 ///
@@ -39,7 +39,7 @@ pub struct Indexed<'a, S, C, const COLORS: usize = 256> {
     pub colors: &'a [C; COLORS],
 }
 
-/// A texel that is an index into a table of colors: a number of at most eight bits.
+/// A type of texel that can be an index into a table of colors: a number of at most eight bits.
 pub trait PaletteIndex: Copy {
     fn index(self) -> u8;
 }

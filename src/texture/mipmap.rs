@@ -6,7 +6,7 @@ use super::{Blend, Sampler};
 use crate::error::Error;
 use crate::error::{check_length, ok};
 
-/// A texture with its mipmap levels: the texture itself, and smaller copies of it for triangles that are far away.
+/// A texture and its smaller copies, for triangles that are far away. The texture and the copies are called *levels*.
 ///
 /// Level 0 is the texture. Each further level has half the width and half the height of the level before; in the last
 /// level, the shorter side has one texel. A texel of a further level is the mean of the four texels that it replaces.
@@ -53,7 +53,7 @@ const fn len_of([width_log2, height_log2]: [u32; 2]) -> usize {
 }
 
 impl<'a, C: Copy> Mipmap<'a, C> {
-    /// How many texels all levels of a texture have together.
+    /// The number of texels that all levels of a texture have together.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb565;
@@ -103,7 +103,7 @@ impl<'a, C: Copy> Mipmap<'a, C> {
     ///
     /// # Errors
     ///
-    /// The same as for [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn build(texels: &'a mut [C], width: u32, height: u32) -> Result<Self, Error>
     where
         C: Blend,

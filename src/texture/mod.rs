@@ -9,8 +9,8 @@
 //! | [`Mipmap`] | known at run time | a color; has smaller copies of the texture for triangles far away |
 //!
 //! [`include_texture!`](crate::include_texture) turns a picture file into any of these textures at compile time. The
-//! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. Texels of [`Argb4444`] have an
-//! opacity, and texels of [`Argb1555`] may be holes.
+//! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. For textures that are partly
+//! transparent, use texels of [`Argb4444`], which have an opacity, or of [`Argb1555`], which may be holes.
 
 mod addressing;
 mod argb;

@@ -89,7 +89,7 @@ where
     /// # Errors
     ///
     /// [`Error::PowerOfTwo`] if the width or the height is not a power of two or is too large; [`Error::Count`] if a
-    /// row does not fill whole bytes; [`Error::Count`] unless there are exactly as many bytes as the texels need.
+    /// row does not fill whole bytes, or if the number of bytes is not exactly what the texels need.
     pub const fn new(bytes: &'a [u8], width: u32, height: u32) -> Result<Self, Error> {
         let size = ok!(exponents(width, height));
         let bits = C::Raw::BITS_PER_PIXEL as u32;

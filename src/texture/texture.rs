@@ -29,10 +29,10 @@ use crate::error::{check_length, ok};
 /// # Cost
 ///
 /// Reading a texel takes one instruction more than reading it from rows, `&[[C; W]; H]`. A `Texture` also needs up to
-/// two registers more than rows do, for its width and its number of texels. If the loop over pixels has no register
-/// left, it loads these numbers from the stack. The table lists millions of instructions per frame for the benchmark's
-/// floor: 47,610 pixels with a 64x64 texture and a depth buffer. If you know the size when you write the program,
-/// [`include_texture!`](crate::include_texture) can also make rows.
+/// two registers more than rows do, for its width and its number of texels. If the loop over pixels has no registers
+/// left for these two numbers, it loads them from the stack at each pixel. The table lists millions of instructions per
+/// frame for the benchmark's floor: 47,610 pixels with a 64x64 texture and a depth buffer. To avoid this cost where the
+/// size is known at compile time, let [`include_texture!`](crate::include_texture) make rows.
 ///
 /// <!-- figures: textures of run-time size -->
 /// | | rows | `Texture` |

@@ -8,8 +8,8 @@ use crate::num::block::saturated;
 
 /// The width of a picture relative to its height.
 ///
-/// A size in pixels or the ratio itself converts to an `Aspect`. Any number converts; a projection refuses a width or a
-/// height that is not above 0.
+/// A size in pixels or the ratio itself converts to an `Aspect`. The conversion accepts any numbers; a projection
+/// returns an error unless width and height are above 0.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

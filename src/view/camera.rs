@@ -34,8 +34,8 @@ const ISOMETRIC_TILT: Angle = Angle::from_bits(420_720_557);
 impl Camera {
     /// Makes a camera at `eye` that shows `target` in the middle of the picture, with `up` pointing upward.
     ///
-    /// The axes of eye space are k = (eye − target)/‖·‖, i = (up × k)/‖·‖ and j = k × i, where ‖·‖ is the length of the
-    /// vector before it. `up` may have any length, and need not be orthogonal to the view direction.
+    /// The axes of eye space are the unit vectors k along eye − target, i along up × k, and j = k × i. `up` may have
+    /// any length, and need not be orthogonal to the view direction.
     ///
     /// The components of k have an error of at most 1.5 · 2⁻²⁸. For i and j, add 2⁻²⁸ / sin α to this bound, where α is
     /// the angle between `up` and the view direction.
@@ -43,8 +43,8 @@ impl Camera {
     /// # Errors
     ///
     /// [`Error::NoDirection`] if eye and target are equal, or if `up` is zero, or so nearly parallel to the view
-    /// direction that rounding errors would decide the roll. An angle below 1.9e-7 radians (0.04 seconds of arc) is
-    /// always refused; an angle above 8e-6 radians never is.
+    /// direction that rounding errors would decide the roll. An angle between the two below 1.9e-7 radians (0.04
+    /// seconds of arc) is always refused; an angle above 8e-6 radians is never refused.
     pub fn look_at(eye: Vec3, target: Vec3, up: Vec3) -> Result<Self, Error> {
         /// Two vectors count as parallel if every component of their cross product is below this limit. The largest
         /// mantissa of each vector is from 2^29 to 2^30. So the product of the lengths is at least 2^58, and the limit
@@ -79,7 +79,8 @@ impl Camera {
         })
     }
 
-    /// Makes a camera that `pose` places in the world, as it would place a model.
+    /// Makes a camera with the position and the rotation of `pose`, a transform from eye space to world space. A camera
+    /// with the pose of a model looks along the model's −z.
     ///
     /// `pose` must be rigid, that is, a product of rotations and translations; any other transform distorts the
     /// picture. For a pose that also scales, write `Camera::from_view(pose.inverse()?)`.
@@ -135,8 +136,8 @@ impl Camera {
     ///
     /// Draw the scene twice: with the mirrored camera in the mirror's pixels, and with `self` everywhere. The
     /// [cookbook](crate::guide::cookbook::surfaces#a-mirror) shows how. Nothing else changes. Faces keep their
-    /// outsides, so leave [culling](crate::Cull) as it is. Lights shine on the mirror image as on the world, because
-    /// the world itself does not move, and highlights are where the [mirrored camera](crate::Viewer::of) sees them.
+    /// outsides, so leave [culling](crate::Cull) as it is. Keep the lights, too: the world itself does not move, so its
+    /// mirror image is lit like the world. Highlights appear where the [mirrored camera](crate::Viewer::of) sees them.
     /// Things behind the mirror would appear in front of it, so leave them out.
     ///
     /// # Errors
@@ -159,8 +160,8 @@ impl Camera {
     /// Makes a camera that looks at `target` from a `distance`. The camera starts in front of the target, on the side
     /// of +z. It then turns to the right by `turn` and rises by `tilt`.
     ///
-    /// Under an orthographic projection this is a trimetric view, unless the angles foreshorten two axes
-    /// equally.
+    /// With an orthographic projection, the view is trimetric: the three axes are foreshortened differently, except at
+    /// angles that make two of them equal.
     ///
     /// Any values are allowed. At a distance of 0, the eye is at the target. At a negative distance, the eye is beyond
     /// the target, so the target is behind the eye. A tilt above 90 degrees shows the world upside down, seen from the
@@ -190,20 +191,19 @@ impl Camera {
         Self::dimetric(target, distance, ISOMETRIC_TILT)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera without turn or tilt: it is in front of `target`, and looks along
-    /// −z.
+    /// Makes a camera in front of `target` that looks along −z: [`trimetric`](Self::trimetric) without turn and tilt.
     #[must_use]
     pub fn front(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::ZERO, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera turned by 90°: it is to the right of `target`, and looks along −x.
+    /// Makes a camera to the right of `target` that looks along −x: [`trimetric`](Self::trimetric) with a turn of 90°.
     #[must_use]
     pub fn side(target: Vec3, distance: Scalar) -> Self {
         Self::trimetric(target, distance, Angle::QUARTER, Angle::ZERO)
     }
 
-    /// Makes a [trimetric](Self::trimetric) camera tilted by 90°: it is above `target`, and looks along −y. In the
+    /// Makes a camera above `target` that looks along −y: [`trimetric`](Self::trimetric) with a tilt of 90°. In the
     /// picture, −z points upward.
     #[must_use]
     pub fn top(target: Vec3, distance: Scalar) -> Self {

@@ -13,8 +13,8 @@ use crate::sealed::Sealed;
 ///
 /// Write an `Mvp` as a product, `projection * camera * model`. The viewport transform would come leftmost, but it is
 /// not part of the product: [`DrawOptions::with_viewport`](crate::DrawOptions::with_viewport) sets the viewport. The
-/// camera and the model transform are stored separately, because lights are in world space, between model space and eye
-/// space.
+/// camera and the model transform are stored separately, because light is computed in world space, after the model
+/// transform and before the camera.
 ///
 /// ```
 /// use fixel::prelude::*;

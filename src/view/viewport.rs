@@ -7,7 +7,8 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::error::{Error, check_count, ok};
 
-/// The rectangle of pixels that a picture fills: normalized device coordinates from −1 to 1 map to it.
+/// The rectangle of pixels that a picture fills. Normalized device coordinates from −1 to 1 map to its width and
+/// height.
 ///
 /// The rectangle may reach beyond the canvas; pixels outside the canvas are not drawn.
 ///
@@ -40,8 +41,8 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The largest width and height of a viewport, and the largest offset in x and in y of its top left corner from the
-    /// frame's top left corner. All are in pixels.
+    /// The limit for a viewport's width and height, and for the offset of its top left corner from the frame's top left
+    /// corner, in x and in y. All are in pixels.
     pub const MAX: u32 = 4096;
 
     /// Makes a viewport with its top left corner at (x, y), in pixels of the frame; y increases downward.

@@ -33,7 +33,8 @@ pub struct Window {
 impl Window {
     /// Makes a window of this width and height, centered on the line of sight.
     ///
-    /// Each edge is half of the width or of the height away from the center, rounded toward zero to a multiple of 2⁻¹⁶.
+    /// The left and the right edge are half the width away from the center, and the top and the bottom edge half the
+    /// height; these halves are rounded toward zero to a multiple of 2⁻¹⁶.
     ///
     /// ```
     /// use fixel::prelude::*;

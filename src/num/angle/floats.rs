@@ -6,7 +6,7 @@ use crate::num::Scalar;
 use crate::num::float::Parts;
 use crate::num::wide::unsigned_product;
 
-/// A unit in which floats give angles.
+/// A unit of angles that are given as floats: degrees or radians.
 #[derive(Clone, Copy)]
 pub struct Unit {
     /// A turn in this unit.

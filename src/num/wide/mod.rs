@@ -1,9 +1,9 @@
-//! Everything that differs on cores that lack 64-bit products, a divider, or an instruction that counts leading zeros.
-//! Each function gives the same bits on all cores.
+//! The code that depends on the core: on whether it has 64-bit products, a divider, and an instruction that counts
+//! leading zeros. Each function returns the same bits on all cores.
 //!
-//! No file outside this folder asks for the name or the width of the core. Where another file can compute a number in
-//! two ways, one of the constants [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`], [`STEPS_INDEX`] and [`STORES_ANYWHERE`]
-//! tells it which way is faster.
+//! Files outside this folder do not depend on the core's name or on the width of its registers. Where another file can
+//! compute a number in two ways, one of the constants [`DIVIDES`], [`IS_WIDE`], [`SHIFTS_LATER`], [`STEPS_INDEX`] and
+//! [`STORES_ANYWHERE`] says which way is faster on the core.
 
 mod bits;
 mod divide;

@@ -18,13 +18,13 @@ use crate::shade::ShaderFor;
 use crate::span::{Plain, Shading};
 use crate::view::{AsMvp, ProjectionKind};
 
-/// The faces or the edges of a mesh: the type of the objects in a list that holds faces and edges.
+/// The faces or the edges of a mesh. Objects of this type let one list hold both faces and edges.
 ///
 /// In a list that is sorted [back to front](crate::DrawList::prepare_back_to_front), the faces hide the edges behind
 /// them, so hidden lines are removed without a depth buffer. If a face and its edges are equally far away, the object
 /// that comes first in the slice is drawn first, so put the faces before the edges.
 ///
-/// The edges may be those of an [outline](Mesh::outline). They cannot be anti-aliased.
+/// The edges may come from [`Mesh::edges`] or [`Mesh::outline`]. They cannot be anti-aliased.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

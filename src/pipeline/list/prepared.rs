@@ -47,7 +47,8 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// assert_eq!(crate_.material, "wood");
 /// ```
 ///
-/// The lifetime is the mesh's: `'static` for a mesh in flash, another for a mesh made at run time.
+/// The lifetime `'a` is how long the mesh is borrowed: `'static` for a mesh in flash, and a shorter lifetime for a mesh
+/// that is made at run time.
 ///
 /// ```
 /// use fixel::prelude::*;
@@ -62,8 +63,8 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 /// ```
 ///
 /// All objects of a slice have the same type of material. For different shaders, make the material a trait object
-/// (`&dyn`) of a trait of your own. The example uses the default options. In mode `Fast`, the type of the triangles
-/// would be `Prepared<(), &Mesh, DrawOptions<Fast>>`.
+/// (`&dyn`) of a trait of your own. The example prepares with the default options. Other options change the type of
+/// `triangles`: in mode `Fast`, it is `&Prepared<(), &Mesh, DrawOptions<Fast>>`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -100,7 +101,7 @@ use crate::view::{AsMvp, Mvp, Perspective, ProjectionKind};
 pub struct Object<'a, T, G = &'a Mesh<'a>> {
     /// A mesh, or edges of a mesh.
     pub thing: G,
-    /// From model to world space.
+    /// The transform from model space to world space.
     pub model: Transform,
     /// How the object is drawn.
     pub material: T,
@@ -133,7 +134,7 @@ impl<T, G> Object<'_, T, G> {
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<G> {
     pub(super) thing: G,
-    /// From model to world space.
+    /// The transform from model space to world space.
     pub(super) model: Transform,
     /// From model to eye space.
     pub(super) view: Transform,
@@ -391,8 +392,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
 }
 
 impl<'a, T, G, M: Copy, Z: Copy, B: Copy, K> Prepared<'a, T, G, DrawOptions<M, Z, B>, K> {
-    /// The same triangles or edges, with another way to blend their colors with the colors on the canvas. Use it for a
-    /// sorted scene in which some objects are translucent.
+    /// The same triangles or edges, drawn with another blending. Use this method for a sorted scene in which some
+    /// objects are translucent.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -469,7 +470,7 @@ fn meets([start, end]: [i16; 2], reach: i32, rows: &Range<i32>) -> bool {
     i32::from(start) - reach < rows.end && rows.start < i32::from(end) + reach
 }
 
-/// A draw call of elements of one thing.
+/// A draw call of some elements of one thing in a list.
 pub struct Run<'r> {
     pub(super) placement: Placement<'r>,
     cull: Cull,

@@ -11,17 +11,17 @@ use crate::mesh::{Missing, Primitive};
 use crate::pipeline::{corner_cache, keeps_corners};
 use crate::shade::{Fragment, Lanes, Shader, Varyings};
 
-/// Memory for what a shader computes, such as light, for each triangle or edge of a prepared list.
+/// Memory for the values that a shader computes at the corners of a prepared list's triangles or edges, such as light.
 ///
 /// Without a `ShadeList`, a shader computes its [`varyings`](Shader::varyings) for a triangle or edge once in each band
 /// that contains a part of it. [`Prepared::shade`] computes them once per frame and stores them here. The pixels are
-/// the same. In a test, a small lit ball is drawn in bands of eight rows, so that a triangle lies in 1.3 bands on
-/// average. With a `ShadeList`, the ball takes 8 % fewer instructions on a Cortex-M4, or 10 % fewer if the light is
-/// computed per face. Larger triangles and bands of fewer rows save more.
+/// the same. How much this saves depends on the number of bands that a triangle reaches into. In a test with a small
+/// lit ball and bands of eight rows, that is 1.3 bands on average. The `ShadeList` then saves 8 % of the instructions
+/// on a Cortex-M4, or 10 % if the light is computed per face. With larger triangles or smaller bands, it saves more.
 ///
-/// For each triangle or edge, the list stores the values to interpolate at three corners, and the values [per
-/// face](crate::shade::PerFace). For white light, these values take 12 bytes if the light is computed at the corners,
-/// and 4 bytes if it is computed per face.
+/// For each triangle, the list stores the values to interpolate at the three corners, and the values [per
+/// face](crate::shade::PerFace). An edge takes as much memory as a triangle. White light takes 12 bytes per triangle if
+/// it is computed at the corners, and 4 bytes if it is computed per face.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -82,13 +82,13 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     /// Computes the shader's values for each triangle or edge, once for all bands. `shader_of` returns the shader for
     /// an object's material; if there are no materials, write `|()| shader`.
     ///
-    /// Returns a function like `shader_of`, whose shaders use the stored values: draw with these shaders in each band.
-    /// If there are no materials, call the returned function with `&()`. For anything that is not in the list, these
-    /// shaders compute their values as usual.
+    /// Returns a function that, like `shader_of`, takes a material and returns a shader. These shaders use the stored
+    /// values: draw with them in each band. If there are no materials, call the returned function with `&()`. For an
+    /// element that is not in the list, a shader computes the values as usual.
     ///
     /// # Errors
     ///
-    /// [`Error::Full`], with the length that is needed, if the memory is too short.
+    /// [`Error::Full`], with the length that is needed, if `memory` holds fewer elements than the prepared list.
     pub fn shade<S: Shader, const ELEMENTS: usize, F: Fn(&T) -> S>(
         &self,
         memory: &'a mut ShadeList<S, ELEMENTS>,

@@ -18,8 +18,8 @@ use crate::shade::{Channels, PixelFormat};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Illumination<D = i32, S = ()> {
-    /// The light by which the surface's color is multiplied: one number for white light, or red, green and blue. On a
-    /// gray canvas, only red is used.
+    /// The light by which the surface's color is multiplied: one number for white light, or red, green and blue. A gray
+    /// canvas uses only red, the first number.
     pub diffuse: D,
     /// The brightness of a white highlight, which is added to the surface's color; `()` for no highlight.
     pub specular: S,

@@ -46,7 +46,7 @@ use crate::shade::ramp::Ramp;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SpotLight {
-    /// The lamp without its cone.
+    /// The lamp before the cone limits its light.
     pub lamp: PointLight,
     axis: Direction,
     /// The cosine of the outer angle, in units of 2⁻³⁰.

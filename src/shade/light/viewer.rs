@@ -46,7 +46,7 @@ impl Viewer {
         Ok(Self(Position::Toward(ok!(Direction::checked(direction)))))
     }
 
-    /// The viewer of a picture that is drawn with this model-view-projection. The camera must be a rigid transform, or
+    /// The viewer of a picture that is drawn with this projection and camera. The camera must be a rigid transform, or
     /// [mirrored](crate::Camera::mirrored). Every [`Camera`](crate::Camera) is rigid or mirrored, unless you make it
     /// from another transform.
     #[must_use]

@@ -26,17 +26,17 @@ impl Projection<Parallel> {
         Self::sheared([BlockFloat::ZERO; 2], near, window, near, far)
     }
 
-    /// Makes an oblique projection. The plane at the distance `plane` is undistorted and shows the window. A point
-    /// behind this plane moves in the picture by `ratio` times its distance from the plane; a point in front of it
-    /// moves the other way.
+    /// Makes an oblique projection. In the plane at the distance `plane`, nothing is shifted: the picture shows the
+    /// part inside the window. A point behind this plane is shifted in the picture by `ratio` times its distance from
+    /// the plane; a point in front of the plane is shifted the other way.
     ///
-    /// The direction of this movement is `angle`, counter-clockwise from the right. `plane` may equal `near`. With a
-    /// ratio of 1, edges that point straight back keep their length (a *cavalier* projection); with ½, they are half as
-    /// long (a *cabinet* projection).
+    /// The direction of the shift is `angle`, counter-clockwise from the right. `plane` may equal `near`. With a ratio
+    /// of 1, edges that point straight back keep their length (a *cavalier* projection); with ½, they are half as long
+    /// (a *cabinet* projection).
     ///
     /// # Errors
     ///
-    /// The same errors as for [`orthographic`](Self::orthographic).
+    /// The errors of [`orthographic`](Self::orthographic).
     ///
     /// ```
     /// use fixel::prelude::*;

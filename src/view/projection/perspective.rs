@@ -34,10 +34,11 @@ impl Projection<Perspective> {
     /// The aspect ratio is given as a size in pixels, such as `(320, 240)` or a
     /// [`Size`](embedded_graphics::geometry::Size), or as a number, such as `fx!(1.5)`.
     ///
-    /// The projection's [`Window`], on the near plane, has top = near · tan(fov / 2) and right = top · aspect.
+    /// The projection's [`Window`] lies on the near plane, with top = near · tan(fov / 2) and right = top · aspect. It
+    /// is centered on the line of sight.
     ///
-    /// For a canvas with a depth buffer, let `far` be at most 500 · `near`: see [the
-    /// rule](crate::guide::concepts#depth).
+    /// For a canvas with a depth buffer, let `far` be at most 500 · `near`: see [the rule for
+    /// depths](crate::guide::concepts#depth).
     ///
     /// # Errors
     ///
@@ -118,7 +119,7 @@ impl Projection<Perspective> {
 
     /// Returns the vertical field of view, 2·atan((top − bottom) / (2·near)).
     ///
-    /// A window that is not centered counts as a centered window of the same height.
+    /// If the window is not centered, the result is the field of view of a centered window of the same height.
     #[must_use]
     pub fn fov(&self) -> Angle {
         let BlockFloat { value, exp } = self.rows[1].coefficient(1);
