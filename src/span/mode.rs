@@ -173,8 +173,8 @@ impl Mode for Compact {
 #[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by the default mode"))]
 /// Under perspective, `Affine` bends textures; no other mode does. Use `Affine` for surfaces that face the eye, are
 /// small, or are far away relative to their size. Rounding adds an error of up to 37 units to a varying (for a texture
-/// coordinate, a two-thousandth of a texel). If the varying exceeds 2²⁸ units (4096 texels) in the triangle, the
-/// rounding error is up to four times as large.
+/// coordinate, a two-thousandth of a texel), or 659 units if the varying exceeds 2²⁸ units (4096 texels) in the triangle
+/// ([derived](crate::guide::modes#affine) in the guide).
 ///
 /// ```
 /// use fixel::{DrawOptions, mode::Affine};

@@ -191,7 +191,7 @@ fn check(name: &str, model: &Model) {
     println!("{}", all.approximation.line("vertices, micromath", "px"));
     println!("  pixels of another texel, micromath: {:.1} %", part * 100.);
 
-    // Positions are rounded to 1/256 pixel along each axis. The sine's error of 2e-9 adds only 2e-6 pixel.
+    // Positions are rounded to 1/256 pixel along each axis. The sine's error of 1.6e-9 adds only 2e-6 pixel.
     assert!(all.polynomial.max() <= 2_f64.sqrt() / 512. + 1e-4);
     assert!(all.explained.max() <= 1.);
     // An error of 1.1e-3 in sine or cosine, at a radius of at least 1, a focal length of 200 and a distance of at most
