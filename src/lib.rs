@@ -81,7 +81,7 @@
 //! | part | made by<br>used as |
 //! |---|---|
 //! | [`Mesh`] | [`include_mesh!`], [`shape!`], [`mesh::Shape`], slices of your own<br>first argument of [`Canvas::draw`] |
-//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`]<br>argument of [`Mesh::outline`], which draws lines, and of [`Canvas::smooth_edges`], which removes stairs |
+//! | [`Outline`]: edges with their faces, for silhouettes and creases | [`outline!`], [`Outline::build`]<br>argument of [`Mesh::outline`], which draws lines, and of [`Canvas::smooth_edges`], which smooths jagged edges |
 //! | [`Mvp`], the model-view-projection | `projection * camera * spin` of a [`Projection`], a [`Camera`] and [`Transform`]s<br>second argument |
 //! | [`Shader`] | [`shade`], or ten lines of your own<br>third argument |
 //! | [`DrawOptions`]: culling, viewport, interpolation mode, depth test, blending | [`DrawOptions::new`]<br>first argument of [`Canvas::draw_with`] |

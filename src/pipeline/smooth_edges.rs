@@ -23,7 +23,7 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Smooths the silhouette of a mesh, and its creases, in a picture that is already drawn. Call it last, once for
     /// each mesh, with the `options` and the `mvp` that drew the mesh.
     ///
-    #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with stairs, and smoothed"))]
+    #[cfg_attr(doc, doc = page_picture!("smooth_edges", "A ring and a cube with jagged edges, and smoothed"))]
     /// Where an edge of the outline passes between the centers of two neighboring pixels, this function mixes their
     /// colors. If a [share](crate::guide::mathematics::coverage) of a pixel lies beyond the edge, the neighbor's color
     /// replaces this share of the pixel's color. So the shape neither grows nor shrinks. The function mixes the colors

@@ -44,7 +44,7 @@ pub(super) fn options(canvas: &mut Frame<'_>) -> Drawn {
     Ok(())
 }
 
-/// A ring and a cube with stairs, and smoothed. Each pixel of the canvas has four pixels of the picture.
+/// A ring and a cube with jagged edges, and smoothed. Each pixel of the canvas has four pixels of the picture.
 pub(super) fn smooth_edges(canvas: &mut Frame<'_>) -> Drawn {
     static SILHOUETTE: Outline = outline!(RING, deg!(180));
     static CREASES: Outline = outline!(CUBE, deg!(30));

@@ -1,4 +1,4 @@
-//! A ring and a box with stairs along their edges on the left, and smoothed on the right.
+//! A ring and a box with jagged edges on the left, and smoothed on the right.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use fixel::prelude::*;
