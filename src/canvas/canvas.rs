@@ -76,6 +76,7 @@ const MAX_SIZE: u32 = 2048;
 ///     canvas.clear(Rgb565::BLUE);
 /// }
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Debug)]
 pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     cells: &'a mut [O::Cell],
