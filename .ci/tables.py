@@ -414,6 +414,10 @@ def claims(instructions, other):
            "on the floor, but bends its texture.",
            all(1e3 * MESHES[name] < kernel(name) for name in models) and slower == {"wreath-far", "wreath-lit-far"}
            and OTHERS["TinyGL FPU"][0] < m4["speed"][0])
+    pico, world = (whole(125e6 / other[f"pico_{name} cycles"]) for name in ["model lighthouse", "world world"])
+    yield "examples/boards/flash.md", "with about 19 frames a second on an emulated Pico", pico == "19"
+    yield "examples/boards/flash.md", "with about 8 and 11 frames a second in emulators", (
+        [world, whole(1e6 / other["pico2_world world us"])] == ["8", "11"])
     yield "README.md", "A scene with textures and depth adds 13 KB of code", 12_500 <= code("depth") < 13_500
     yield (modes, "its error is as large as the error of `Fast` within a quarter",
            texels(other["sphere fast error max"]) == texels(other["sphere affine error max"]))

@@ -6,9 +6,9 @@ use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
-/// The texel's color is an [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A
-/// bilinear filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of their
-/// neighbors.
+/// The texel's color is an [`Rgb565`](Rgb565). A texel of opacity 0 changes neither the color nor the depth on the
+/// canvas. A bilinear filter blends colors regardless of their opacities, so give texels of opacity 0 the colors of
+/// their neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -23,7 +23,7 @@ pub struct Argb4444(u16);
 
 /// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. With a
+/// The texel's color is an [`Rgb565`](Rgb565). A hole changes neither the color nor the depth on the canvas. With a
 /// [`Bilinear`](super::Bilinear) filter, a pixel is a hole if the nearest texel is a hole. Otherwise, the filter blends
 /// as if the holes had the nearest texel's color.
 ///
@@ -60,8 +60,8 @@ impl Argb4444 {
         (self.0 >> 12) as u8 * 17
     }
 
-    /// The color. Each channel's highest bits are repeated as the low bits that [`Rgb565`] has in addition: one bit for
-    /// red and blue, two bits for green. So the highest value stays the highest.
+    /// The color. Each channel's highest bits are repeated as the low bits that [`Rgb565`](Rgb565) has in addition: one
+    /// bit for red and blue, two bits for green. So the highest value stays the highest.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Rgb565 {
