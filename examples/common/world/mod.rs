@@ -381,16 +381,17 @@ impl<M: Mode> Scene<M> {
         Ok(())
     }
 
-    /// Writes a name at a point, or below it if the compass would cover the name. Nearer surfaces hide it.
+    /// Writes a name at a point below the compass. Nearer surfaces hide it.
     fn label(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         name: &str,
         point: Vec3,
     ) {
-        if let Some(mut at) = canvas.viewport().project(point, &self.view) {
-            let baseline = hud::COMPASS + FONT_6X10.baseline;
-            at.y = at.y.max(Subpixel::from_bits((baseline as i32) << 8));
+        // The compass would cover a higher name.
+        let top = Subpixel::from_bits(((hud::COMPASS + FONT_6X10.baseline) as i32) << 8);
+        let at = canvas.viewport().project(point, &self.view);
+        if let Some(at) = at.filter(|at| at.y >= top) {
             for (offset, color) in [(1, Rgb565::BLACK), (0, Rgb565::new(31, 58, 24))] {
                 let style = MonoTextStyle::new(&FONT_6X10, color);
                 let text = Text::with_alignment(
@@ -452,12 +453,17 @@ mod tests {
             options: DrawOptions::new(),
             turn: deg!(0),
         };
-        // The first point is above the frame, the second in the middle of its height.
-        for (point, is_moved) in [(vec3!(0, 5, -3), true), (vec3!(0, 0, -3), false)] {
-            let name = rows(|canvas| scene.label(canvas, "The Inn", point));
-            assert!(name[0] > *compass.last().unwrap(), "{name:?}");
-            assert_eq!(name[0] < 100, is_moved, "{name:?}");
+        // From above the frame to the middle of its height.
+        let mut first = None;
+        for step in (0..=500).rev() {
+            let point = vec3!(0, 0, -3) + Vec3::Y * Scalar::from_bits(step << 9);
+            if let Some(&top) = rows(|canvas| scene.label(canvas, "The Inn", point)).first() {
+                assert!(top > *compass.last().unwrap(), "{top}");
+                first.get_or_insert(top);
+            }
         }
+        // Between them is only the empty row at the top of the font's cells.
+        assert_eq!(first, Some(compass.last().unwrap() + 2));
     }
 
     #[test]
