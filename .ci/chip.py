@@ -124,23 +124,28 @@ class Chip:
     `resume`.
     """
 
+    instructions = 0  # that were executed
     BUS_GAPS = 1  # a band's time on the bus is longer by this factor
 
     def __init__(self, program, core, memory, registers):
         self.core = core
+        self.registers = collections.defaultdict(int)
+        self.microseconds, self.transfer, self.failure = 0, None, None
+        self.blocks, self.starts, self.lowest = {}, [], 1 << 32
+        self.connect(core, memory, registers)
+        self.display = Display(self)
+        self.load(program)
+        for address, data in self.segments:
+            core.mem_write(address, data)
+
+    def connect(self, core, memory, registers):
+        """Gives a core its memory and the chip's registers, and counts what it does."""
         for start, size in memory:
             core.mem_map(start, size)
         for start, size in registers:
             core.mmio_map(start, size, lambda _, at, __, start: self.guard(self.read, start + at) & 0xFFFFFFFF, start,
                           lambda _, at, __, value, start: self.guard(self.write, start + at, value), start)
-        self.registers = collections.defaultdict(int)
-        self.microseconds, self.transfer, self.failure = 0, None, None
-        self.instructions, self.blocks, self.starts, self.lowest = 0, {}, [], 1 << 32
         core.hook_add(UC_HOOK_BLOCK, self.count)
-        self.display = Display(self)
-        self.load(program)
-        for address, data in self.segments:
-            core.mem_write(address, data)
 
     def load(self, program):
         with open(program, "rb") as file:
@@ -156,8 +161,12 @@ class Chip:
         return self.microseconds // 1000
 
     def count(self, _, address, size, __):
-        """Counts the instructions of a block that begins, and finds the deepest stack. Blocks do not change."""
+        """Counts the instructions of a block that begins, and finds the deepest stack."""
         self.lowest = min(self.lowest, self.core.reg_read(self.STACK) or self.lowest)
+        self.instructions += self.block(address, size)
+
+    def block(self, address, size):
+        """The instructions of a block. Blocks do not change."""
         found = self.blocks.get((address, size))
         if found is None:
             code, at, found = self.core.mem_read(address, size), 0, 0
@@ -165,7 +174,7 @@ class Chip:
                 at += self.length(code[at : at + 2])
                 found += 1
             self.blocks[address, size] = found
-        self.instructions += found
+        return found
 
     def frames(self, bands):
         """The mean of the instructions for a frame and of the seconds that it takes. The first band that is sent is
@@ -221,8 +230,12 @@ class Chip:
             self.core.emu_stop()
             return 0
 
+    def stacks(self):
+        """The bytes of each stack that is used."""
+        return [self.stack - self.lowest]
+
     def report(self, picture):
         """Writes the picture and prints the results."""
         now_ms = self.display.write(picture)
         count, seconds = self.frames(bands=2 * len(self.display.pixels) // self.starts[0][1])
-        print(now_ms, round(count), round(self.BUS_HZ / 1000), round(seconds * 1e6), self.stack - self.lowest)
+        print(now_ms, round(count), round(self.BUS_HZ / 1000), round(seconds * 1e6), *self.stacks())

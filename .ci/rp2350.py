@@ -1,30 +1,47 @@
 #!/usr/bin/env python3
-"""Runs a program of the Pico 2 on an emulated core, with a model of the registers that it needs, and of its display.
+"""Runs a program of the Pico 2 on two emulated cores, with a model of the registers that it needs, and of its display.
 
-rp2350.py PROGRAM PICTURE.ppm
+rp2350.py PROGRAM PICTURE.ppm [--slow CORE] [--panic]
 
-The program is an ELF file or a UF2. Writes what the display shows after some frames, and prints what stm32f4.py prints.
-Registers have the addresses of the RP2350's data sheet. The core begins where the chip's boot ROM would jump to, if the
-program has the block that the boot ROM looks for. Only core 0 runs.
+The program is an ELF file or a UF2. Writes what the display shows after some frames, and prints what stm32f4.py prints,
+with the stack of each core that runs. The instructions of a frame are the time in which a core works, not the sum of
+both. With --slow, a core takes three times as long, so that the cores finish their bands in another order. With --panic,
+frames are on their way when a core reads another number of its own than 0 and 1, once, which rp235x-hal answers with a
+panic. Then writes what the display shows, and prints the times in ms for which the LED is on, off, on, ... until a
+pause, and the stack of each core.
+
+Registers have the addresses of the RP2350's data sheet. Core 0 begins where the chip's boot ROM would jump to, if the
+program has the block that the boot ROM looks for. Each core has its own time, counted in instructions, and the one that
+is behind runs. That the cores wait for each other at the memory is left out. DMA sends a band once the bus had time for
+it and a core sleeps, which is the last moment at which a program can wait for it.
 """
+import argparse
+import collections
+import ctypes
+import itertools
+import mmap
 import struct
 import sys
 
-from chip import Chip, Module  # first, because it says what is missing
+from chip import CYCLES, FRAMES, Chip, Module  # first, because it says what is missing
 
-from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
+from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_MCLASS, UC_MODE_THUMB, UC_PROT_ALL, Uc
 from unicorn.arm_const import (UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_PRIMASK, UC_ARM_REG_SP, UC_CPU_ARM_CORTEX_M33)
 
 FLASH, FLASH_SIZE = 0x10000000, 0x400000
+RAM, RAM_SIZE = 0x20000000, 0x82000
 RETURN = FLASH + FLASH_SIZE - 4  # the return address of interrupt handlers: flash that no program uses
 FAMILY = 0xE48BFF59  # of UF2s for the secure state of the Arm cores
 BLOCK = (0xFFFFDED3, 0x10210142, 0x1FF, 0, 0xAB123579)  # a program for these cores, and no other block
 MODEL, MAGIC = 0x10040000, 0x6D786966  # where a model begins in flash, and its first word
 WFE, SEV = b"\x20\xbf", b"\x40\xbf"
-CS, DC, SCK, DATA, LIGHT = 17, 16, 18, 19, 21
+CS, DC, SCK, DATA, LIGHT, LED = 17, 16, 18, 19, 21, 25
 FUNCTION_SPI, FUNCTION_SIO = 1, 5
 CRYSTAL_HZ = 12e6
 
+SLICE = 1000  # a core runs at most so many instructions before the other one gets its turn
+
+POWER_OFF, CORE_1 = 0x40018004, 1 << 24
 RESETS, RESETS_DONE = 0x40020000, 0x40020008
 REFERENCE, SYSTEM, PERIPHERAL = 0x40010030, 0x4001003C, 0x40010048  # clocks; what is selected is 8 behind
 PINS, PADS = 0x40028004, 0x40038004
@@ -40,7 +57,41 @@ DMA_RAW, DMA_ENABLE, DMA_STATUS, DMA_TRIGGER = 0x50000400, 0x50000404, 0x5000040
 DMA_INTERRUPT, SPI_REQUEST = 10, 24
 SIO = 0xD0000000
 SIO_SET, SIO_CLEAR, SIO_LOCKS = SIO + 0x18, SIO + 0x20, SIO + 0x100
-ENABLED_INTERRUPTS = 0xE000E100
+FIFO_STATUS, FIFO_WRITE, FIFO_READ = SIO + 0x50, SIO + 0x54, SIO + 0x58
+# The cores' own registers. What the cores write there is the same, or only one of them uses it.
+TICKS, TICKS_RELOAD, ENABLED_INTERRUPTS, VECTORS = 0xE000E010, 0xE000E014, 0xE000E100, 0xE000ED08
+REGISTERS = [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000), (0xE000E000, 0x1000)]
+PAUSE_MS = 700  # the LED blinked
+
+
+class Core:
+    """One of the two cores. Its time is in instructions."""
+
+    def __init__(self, number, memory):
+        self.number, self.time, self.pace, self.limit = number, 0, 1, 0
+        self.runs, self.asleep, self.event = number == 0, False, False
+        self.at, self.interrupted = 0, None
+        self.top, self.lowest = 0, 1 << 32
+        self.words = collections.deque()  # from the other core
+        self.emulator = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
+        self.emulator.ctl_set_cpu_model(UC_CPU_ARM_CORTEX_M33)
+        for start, shared in memory:
+            address = ctypes.addressof(ctypes.c_char.from_buffer(shared))
+            self.emulator.mem_map_ptr(start, len(shared), UC_PROT_ALL, address)
+
+    def begin(self, stack, at):
+        self.runs, self.top, self.at = True, stack, at
+        self.emulator.reg_write(UC_ARM_REG_SP, stack)
+
+    def wake(self, time):
+        self.asleep, self.time = False, max(self.time, time)
+
+    def signal(self, time):
+        """An event wakes a core that waits for one, or keeps the core from waiting for the next one."""
+        if self.asleep:
+            self.wake(time)
+        else:
+            self.event = True
 
 
 class Rp2350(Chip):
@@ -49,15 +100,19 @@ class Rp2350(Chip):
     STACK, PC = UC_ARM_REG_SP, UC_ARM_REG_PC
 
     def __init__(self, program):
-        core = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
-        core.ctl_set_cpu_model(UC_CPU_ARM_CORTEX_M33)
-        # Flash, RAM, and the core's own registers.
-        memory = [(FLASH, FLASH_SIZE), (0x20000000, 0x82000), (0xE0000000, 0x100000)]
-        super().__init__(program, core, memory, [(0x40000000, 0x170000), (0x50000000, 0x4000), (SIO, 0x1000)])
-        code = bytes(core.mem_read(FLASH, 0x40000))
-        for at in range(0, len(code), 2):
-            if code[at : at + 2] in (WFE, SEV):
-                core.hook_add(UC_HOOK_CODE, self.sleep, begin=FLASH + at, end=FLASH + at)
+        self.memory = [(FLASH, mmap.mmap(-1, FLASH_SIZE)), (RAM, mmap.mmap(-1, RAM_SIZE))]
+        self.cores = [Core(number, self.memory) for number in range(2)]
+        self.running, second = self.cores
+        self.launch, self.idle, self.requested, self.times, self.ready = [], 0, False, [], 0
+        self.seeds, self.ticks, self.blinks = 0, 0, []
+        super().__init__(program, self.running.emulator, [], REGISTERS)
+        self.connect(second.emulator, [], REGISTERS)
+        code = self.core.mem_read(FLASH, 0x40000)
+        self.registers[VECTORS] = FLASH
+        for core in self.cores:
+            for at in range(0, len(code), 2):
+                if code[at : at + 2] in (WFE, SEV):
+                    core.emulator.hook_add(UC_HOOK_CODE, self.sleep, begin=FLASH + at, end=FLASH + at)
         self.registers[RESETS] = (1 << 29) - 1
         for pin in range(48):
             self.registers[PADS + 4 * pin] = 0x116  # isolated
@@ -65,12 +120,12 @@ class Rp2350(Chip):
         self.bits, self.clock_is_high, self.data_is_high = "", False, False
         if self.word(MODEL) == MAGIC:
             # Word by word as the package flash-model states.
-            words = struct.unpack("<24I", core.mem_read(MODEL, 96))
+            words = struct.unpack("<24I", self.core.mem_read(MODEL, 96))
             flags = map(bool, words[12:15])
             self.display.module = Module(words[5:7], words[7:9], words[11], *flags, 62.5e6, words[9:11])
-        self.event = self.asleep = self.is_lit = self.was_high_half = False
+        self.is_lit = self.was_high_half = False
         self.check_block()
-        self.stack = self.word(FLASH)
+        self.cores[0].begin(self.word(FLASH), self.word(FLASH + 4))
 
     def load(self, program):
         self.core.mem_write(FLASH, b"\xff" * FLASH_SIZE)  # erased
@@ -97,49 +152,126 @@ class Rp2350(Chip):
     def length(code):
         return 4 if code[1] >= 0xE8 else 2
 
-    def sleep(self, core, address, *_):
-        """WFE waits for an event, unless there was one since the last WFE. SEV is one."""
-        if core.mem_read(address, 2) == SEV:
-            self.event = True
-        else:
-            self.asleep = True
-            core.emu_stop()
-
-    def resume(self, at):
-        if not self.asleep:
-            return at | 1
-        self.asleep = False
-        if not self.event:
-            if not self.send():
+    def run(self):
+        """Runs the core that is behind, of those that do not sleep, until the display has shown all frames, or the LED
+        has blinked."""
+        while len(self.display.frames) < FRAMES and not (self.blinks and self.now_ms() > self.blinks[-1] + PAUSE_MS):
+            core = min((core for core in self.cores if core.runs and not core.asleep), key=lambda core: core.time,
+                       default=None)
+            end = self.end()
+            if end is not None and (core is None or core.time >= end):
+                self.sent(end)
+            elif core is None:
                 sys.exit("sleeps for ever")
-            self.registers[DMA_RAW] |= 1
-        self.event = False
-        if self.registers[DMA_RAW] & self.registers[DMA_ENABLE] & 1:
-            self.interrupt(DMA_INTERRUPT)
-        return at + 2 | 1
+            else:
+                self.step(core, core.time + SLICE if end is None else min(core.time + SLICE, end))
 
-    def interrupt(self, number):
-        if not self.word(ENABLED_INTERRUPTS) >> number & 1 or self.core.reg_read(UC_ARM_REG_PRIMASK):
-            sys.exit(f"interrupt {number} is not enabled")
-        context = self.core.context_save()
-        self.core.reg_write(UC_ARM_REG_SP, self.core.reg_read(UC_ARM_REG_SP) - 32)  # the core saves eight registers
-        self.core.reg_write(UC_ARM_REG_LR, RETURN | 1)
-        self.start(self.word(FLASH + 4 * (16 + number)), RETURN)
-        self.core.context_restore(context)
-        if self.registers[DMA_RAW]:
-            sys.exit(f"the handler of interrupt {number} does not withdraw its request")
+    def end(self):
+        """The time at which the transfer under way ends, if that is known."""
+        sleeping = [core.time for core in self.cores if core.asleep]
+        return max(self.ready, min(sleeping)) if self.transfer and sleeping else None
+
+    def sent(self, end):
+        """A transfer ends. The last of its bytes are still in the queue of the bus."""
+        running, first = [core for core in self.cores if core.runs], self.cores[0]
+        if all(core.asleep for core in running):
+            self.idle += end - max(core.time for core in running)
+        self.send()
+        self.registers[DMA_RAW] |= 1
+        self.requested = bool(self.registers[DMA_ENABLE] & 1)
+        if self.requested and not self.registers[ENABLED_INTERRUPTS] >> DMA_INTERRUPT & 1:
+            sys.exit(f"interrupt {DMA_INTERRUPT} is not enabled")
+        if first.asleep and self.is_due(first):
+            first.wake(end)
+
+    def is_due(self, core):
+        """Whether a core is to handle the DMA's interrupt now."""
+        return (self.requested and core.number == 0 and not core.interrupted
+                and not core.emulator.reg_read(UC_ARM_REG_PRIMASK))
+
+    def step(self, core, limit):
+        """Runs a core until a time, or until it sleeps, or begins or ends to handle the interrupt."""
+        self.running, self.core, core.limit = core, core.emulator, limit
+        if self.is_due(core):
+            core.interrupted = core.emulator.context_save(), core.at
+            # The core saves eight registers.
+            core.emulator.reg_write(UC_ARM_REG_SP, core.emulator.reg_read(UC_ARM_REG_SP) - 32)
+            core.emulator.reg_write(UC_ARM_REG_LR, RETURN | 1)
+            core.at = self.word(FLASH + 4 * (16 + DMA_INTERRUPT))
+        at, core.at = core.at | 1, None
+        self.start(at, RETURN)
+        if core.at is None:
+            core.at = core.emulator.reg_read(UC_ARM_REG_PC)
+        if core.at == RETURN:
+            (context, core.at), core.interrupted = core.interrupted, None
+            core.emulator.context_restore(context)
+            if self.registers[DMA_RAW]:
+                sys.exit(f"the handler of interrupt {DMA_INTERRUPT} does not withdraw its request")
+
+    def count(self, emulator, address, size, _):
+        core = self.running
+        if core.time >= core.limit or self.is_due(core):
+            core.at = address  # before this block; older versions of Unicorn still have another PC then
+            emulator.emu_stop()
+        else:
+            core.lowest = min(core.lowest, emulator.reg_read(UC_ARM_REG_SP))
+            core.time += core.pace * self.block(address, size)
+
+    @property
+    def instructions(self):
+        return self.running.time - self.idle
+
+    def now_ms(self):
+        """The time by the cores' own timers."""
+        return 1000 * self.ticks / self.CLOCK_HZ
+
+    def stacks(self):
+        return [core.top - core.lowest for core in self.cores if core.runs]
+
+    def sleep(self, emulator, address, *_):
+        """WFE waits for an event, unless there was one since the last WFE. SEV is one, for both cores."""
+        core = self.running
+        if emulator.mem_read(address, 2) == SEV:
+            for other in self.cores:
+                other.signal(core.time)
+        else:
+            core.asleep, core.event, core.at = not core.event, False, address + 2
+            emulator.emu_stop()
+
+    def write_fifo(self, value):
+        """A word for the other core. The boot ROM of core 1 returns each one. After 0, 0, 1 come the core's vectors, its
+        stack and its program."""
+        core, other = self.running, self.cores[1 - self.running.number]
+        if other.runs:
+            other.words.append(value)
+            return
+        self.launch = (self.launch + [value])[-6:]
+        core.words.append(value)
+        core.signal(core.time)
+        if len(self.launch) == 6 and self.launch[:3] == [0, 0, 1]:
+            other.begin(*self.launch[4:])
+            other.time = core.time
 
     def moment(self, number):
         """The program asks for the time of a frame before it draws the frame. The first frame only clears."""
-        return self.asked[number - 1] if number else 0
+        return self.asked[:number][-1] if number else 0
+
+    def begin(self, transfer, size):
+        super().begin(transfer, size)
+        self.times.append(self.running.time)
+        self.ready = self.running.time + 8 * size / self.BUS_HZ * self.BUS_GAPS * self.CLOCK_HZ / CYCLES
 
     def send(self):
-        """The last bytes of a transfer are still in the queue of the bus."""
-        transfer = self.transfer
-        if transfer:
-            self.transfer = None
-            self.queue += transfer()
-        return transfer is not None
+        transfer, self.transfer = self.transfer, None
+        self.queue += transfer()
+
+    def frames(self, bands):
+        """The mean of the instructions for a frame and of the seconds from one to the next."""
+        frames = (len(self.starts) - 1) // bands
+        times = self.times[-len(self.starts) :]
+        counts = [count for count, _ in self.starts]
+        count, time = ((of[frames * bands] - of[0]) / frames for of in (counts, times))
+        return count, CYCLES * time / self.CLOCK_HZ
 
     def band(self, source, count, size):
         """The bytes of a band. SPI sends the more significant byte of a word first."""
@@ -169,7 +301,8 @@ class Rp2350(Chip):
         reference, feedback, dividers = (self.registers[PLLS[0] + at] for at in (0, 8, 12))
         self.CLOCK_HZ = CRYSTAL_HZ * feedback / (reference & 63) / (dividers >> 16 & 7) / (dividers >> 12 & 7)
         self.BUS_HZ = self.CLOCK_HZ / self.registers[SPI_PRESCALE] / ((self.registers[SPI_FORMAT] >> 8) + 1)
-        self.BUS_GAPS = (8 * size + 2) / (8 * size)  # it rests for two of its clocks after each word
+        # In modes 0 and 2, it rests for two of its clocks after each word.
+        self.BUS_GAPS = 1 if self.registers[SPI_FORMAT] & 0x80 else (8 * size + 2) / (8 * size)
         self.begin(lambda: self.band(source, count, size), count * size)
 
     def read(self, address):
@@ -204,6 +337,17 @@ class Rp2350(Chip):
             self.received -= 1
         if address == DMA_CONTROL:
             return value | (self.transfer is not None) << 26
+        if address == SIO:
+            is_seed = self.seeds > 0 and len(self.display.frames) > 2
+            self.seeds -= is_seed
+            return 2 if is_seed else self.running.number
+        if address == TICKS and value & 1:  # the program waits until the counter is 0, or is about to write
+            self.ticks += self.registers[TICKS_RELOAD] + 1
+            return value | 1 << 16
+        if address == FIFO_STATUS:
+            return 0b10 | bool(self.running.words)
+        if address == FIFO_READ:
+            return self.running.words.popleft()
         if address == DMA_STATUS:
             return self.registers[DMA_RAW] & self.registers[DMA_ENABLE]
         if SIO_LOCKS <= address < SIO_LOCKS + 128:  # 0 if it is taken already
@@ -219,6 +363,16 @@ class Rp2350(Chip):
                      self.registers[address] & ~value][change]
         if address == DMA_STATUS:
             self.registers[DMA_RAW] &= ~value
+            self.requested = bool(self.registers[DMA_RAW] & self.registers[DMA_ENABLE] & 1)
+        elif address == TICKS:
+            self.ticks -= (self.registers[TICKS] & 1) * (self.registers[TICKS_RELOAD] + 1)
+            self.registers[TICKS] = value & 7
+        elif address == FIFO_WRITE:
+            self.write_fifo(value)
+        elif address == POWER_OFF:
+            if self.registers[POWER_OFF] & ~value & CORE_1:
+                self.cores[0].words.append(0)  # the boot ROM of core 1 says that it is there
+            self.registers[POWER_OFF] = value
         elif address == DMA_CONTROL_1:
             self.registers[DMA_CONTROL] = value
         elif address == DMA_WRITE_2:
@@ -252,6 +406,9 @@ class Rp2350(Chip):
         if (cs or dc) and self.queue:
             sys.exit(f"a pin changed before the last {len(self.queue)} bytes were on the bus")
         self.display.pins(cs, dc, high)
+        # After a panic, from the first time on at which the LED is on, every change counts.
+        if value >> LED & 1 and self.ticks and high != len(self.blinks) % 2:
+            self.blinks.append(self.now_ms())
         if value >> LIGHT & 1:
             if high and not self.display.frames:
                 sys.exit("the backlight is on before the display is cleared")
@@ -259,11 +416,23 @@ class Rp2350(Chip):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    chip = Rp2350(sys.argv[1])
-    chip.core.reg_write(chip.STACK, chip.stack)
-    chip.run(chip.word(FLASH + 4) | 1)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("picture")
+    parser.add_argument("--slow", type=int, choices=[0, 1])
+    parser.add_argument("--panic", action="store_true")
+    options = parser.parse_args()
+    chip = Rp2350(options.program)
+    if options.slow is not None:
+        chip.cores[options.slow].pace = 3
+    chip.seeds = int(options.panic)
+    chip.run()
     if not chip.is_lit:
         sys.exit("the backlight is off")
-    chip.report(sys.argv[2])
+    if options.panic:
+        chip.display.execute()
+        chip.display.write(options.picture)
+        times = (round(after - before) for before, after in zip(chip.blinks, chip.blinks[1:]))
+        print(*itertools.takewhile(lambda time: time <= PAUSE_MS, times), *chip.stacks())
+    else:
+        chip.report(options.picture)

@@ -98,7 +98,7 @@ impl Segment {
     /// Converts t, a fraction of the way along the segment in space, to q, the fraction of the way along the segment's
     /// picture: q = t·w₁ / (w₀ + t·(w₁ − w₀)), where w₀ and w₁ are the distances of the start and the end.
     ///
-    /// `None` if the point is not ahead of the eye, or if the fraction of the picture is out of range.
+    /// `None` if the point is not ahead of the eye, or if q is out of range.
     #[must_use]
     pub fn on_screen(self, in_space: Fraction) -> Option<Fraction> {
         // The inverse is the same formula with the distances exchanged.

@@ -55,9 +55,9 @@ pub struct Replace;
 /// A [`Blending`]: each new color covers the color on the canvas by a fixed share, from 0 (not at all) to 255 (wholly).
 /// Use it for glass, water and ghosts.
 ///
-/// For colors of 15 and 16 bits, the share is rounded to a multiple of 1/32. A channel of 5 bits is off by at most 1.1
-/// of its steps, a channel of 6 bits by at most 1.7 steps, and a channel of any other color by at most 1 step. A share
-/// of 0 keeps the color on the canvas, and a share of 255 replaces it.
+/// For colors of 15 and 16 bits, the share is rounded to a multiple of 1/32. Compared with the exact mix, the error is
+/// at most 1.1 steps in a channel of 5 bits, 1.7 steps in a channel of 6 bits, and 1 step in a channel of any other
+/// color. A share of 0 keeps the color on the canvas, and a share of 255 replaces it.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

@@ -163,7 +163,7 @@ impl<'a, C, O: Storage<C>> Canvas<'a, C, O> {
     }
 
     /// Adds a depth buffer in [`LinearDepth`] format: one `u16` per pixel. Keep the far plane at most 500 times as far
-    /// away as the near plane: see [the rule](crate::guide::concepts#depth).
+    /// away as the near plane: see [Depth](crate::guide::concepts#depth).
     ///
     /// [`clear`](Canvas::clear) and [`clear_depth`](Canvas::clear_depth) clear the depth buffer. Before the first draw
     /// call, clear the buffer or fill it with 0, which means infinitely far.
@@ -291,8 +291,8 @@ impl<C, O: Storage<C>, D> Canvas<'_, C, O, D> {
         display.fill_contiguous(&self.bounding_box(), self.pixels())
     }
 
-    /// Like [`show`](Self::show), for a display of another color type: `color` converts the color at each point of the
-    /// frame.
+    /// Like [`show`](Self::show), for a display of another color type. The function `color` gets each point of the
+    /// frame and its color, and returns the display's color.
     ///
     /// For a canvas of [`ColorIndex`](super::ColorIndex), `color` looks up each color in a palette. A gray canvas can
     /// be dithered after the whole frame is drawn, when its [`Contrast`](super::Contrast) is known:

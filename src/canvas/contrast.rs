@@ -35,8 +35,8 @@ impl Default for Contrast {
 }
 
 impl Contrast {
-    /// Grays up to `black` become black (0), and grays from `white` on become white (255). If `white` is not lighter
-    /// than `black`, all grays above `black` become white.
+    /// Grays up to `black` become black (0), and grays of `white` and above become white (255). If `white` is not
+    /// lighter than `black`, all grays above `black` become white.
     #[must_use]
     pub const fn new(black: u8, white: u8) -> Self {
         Self { black, white }

@@ -27,7 +27,7 @@ use crate::sealed::Sealed;
 ///
 /// Surfaces that are closer together than a step may have equal depths. The surface that is drawn later is then
 /// visible, even if it is the farther one. Therefore, use [`LinearDepth`] up to a ratio of 500, [`FloatDepth`] up to
-/// 65,536, and [`WideFloatDepth`] beyond: see [the rule](crate::guide::concepts#depth).
+/// 65,536, and [`WideFloatDepth`] beyond: see [Depth](crate::guide::concepts#depth).
 ///
 /// Under a parallel projection, depth falls linearly with the distance, so use [`LinearDepth`]. Shaders see the same
 /// linear [`Fragment::depth`](crate::Fragment::depth) with every format.
@@ -105,8 +105,8 @@ pub enum LinearDepth {}
 /// distance lowers the stored depth by 4096. If a surface is at least 65,536 times as far away as the near plane, its
 /// depth is stored as 0.
 ///
-/// Within one triangle, 1/distance is interpolated with an error of 2⁻²⁴ of its largest value. If a triangle's far end
-/// is more than 3,000 times as far away as its near end, this error exceeds half a step at the far end.
+/// Within one triangle, 1/distance is interpolated with an error of at most 2⁻²⁴ of its largest value. In tests, the
+/// depth is off by at most half a step at pixels up to 3,000 times as far away as the triangle's near end.
 ///
 /// On Cortex-M4, a tested fragment takes 7 to 9 instructions more than with [`LinearDepth`]. In the default mode,
 /// drawing the benchmark's floor, cube and sphere takes 12 to 26 % more instructions. On Cortex-M0+, which has no
@@ -129,8 +129,8 @@ pub enum FloatDepth {}
 /// A step is 2⁻¹² to 2⁻¹¹ of the distance (0.024 to 0.049 %), up to a distance of 2³² · near. These steps are twice as
 /// coarse as the steps of [`FloatDepth`], at the same cost.
 ///
-/// Within one triangle, 1/distance is interpolated with an error of 2⁻²⁴ of its largest value. If a triangle's far end
-/// is more than 6,000 times as far away as its near end, this error exceeds half a step at the far end.
+/// Within one triangle, 1/distance is interpolated with an error of at most 2⁻²⁴ of its largest value. In tests, the
+/// depth is off by at most half a step at pixels up to 6,000 times as far away as the triangle's near end.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;

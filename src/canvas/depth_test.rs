@@ -223,8 +223,8 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// How far depths also move toward the eye on sloping surfaces, as a multiple of the depth difference between
-    /// neighboring pixels.
+    /// A further move toward the eye, for sloping surfaces: a multiple of the depth difference between neighboring
+    /// pixels.
     pub slope: Scalar,
 }
 
@@ -242,15 +242,15 @@ pub struct Bias {
 
 impl<Z> Biased<Z> {
     /// `test` with depths moved by `steps` units of the stored depth and by `slope` times the depth difference between
-    /// neighboring pixels. (This is the greater of two differences: to the next pixel in the row, and to the next in
-    /// the column.) Positive values move a surface nearer. Depths saturate at both ends of their range.
+    /// neighboring pixels. (The depth difference is the greater of two: to the next pixel in the row, and to the next
+    /// in the column.) Positive values move a surface nearer. Depths saturate at both ends of their range.
     ///
-    /// For an edge of an [outline](crate::Mesh::outline), up to three depth differences are computed: one
-    /// along the line, and one on each of the edge's two faces, unless the face is culled. The greatest of them counts.
-    /// On a face that is much narrower than a pixel, neighboring pixels would differ too much. Therefore, the
-    /// difference on a face is limited to the difference between its nearest and its farthest corner. If the edge is
-    /// not a crease, the limit is twice as high, because on a round body, pixels of the edge may lie over the next
-    /// face, which is farther away.
+    /// For an edge of an [outline](crate::Mesh::outline), up to three depth differences are computed: one along the
+    /// line, and one on each of the edge's two faces, unless the face is culled. The greatest of them counts. On a face
+    /// that is much narrower than a pixel, the difference to the neighboring pixel, which is outside the face, would be
+    /// too large. Therefore, the difference on a face is limited to the difference between its nearest and its farthest
+    /// corner. If the edge is not a crease, the limit is twice as high, because on a round body, pixels of the edge may
+    /// lie over the next face, which is farther away.
     #[must_use]
     pub const fn new(test: Z, steps: i32, slope: Scalar) -> Self {
         Self { test, steps, slope }
@@ -259,8 +259,8 @@ impl<Z> Biased<Z> {
     /// `test` with depths moved away by two units of the stored depth and by the depth difference between neighboring
     /// pixels. With this bias, edges drawn over the mesh have no gaps.
     ///
-    /// There is one exception. If the near plane clips a very narrow triangle, its new corners are rounded to 1/256
-    /// pixel. The rounding tilts the triangle, so that the triangle may hide a pixel of its own edge.
+    /// There is one exception. If the near plane clips a very narrow triangle, the triangle's new corners are rounded
+    /// to 1/256 pixel. The rounding tilts the triangle, so that the triangle may hide a pixel of its own edge.
     ///
     /// For silhouettes of round bodies, this bias is too small. Instead, draw the mesh without a bias, and its outline
     /// with [`in_front`](Self::in_front).
@@ -269,9 +269,9 @@ impl<Z> Biased<Z> {
         Self::new(test, -2, crate::fx!(-1))
     }
 
-    /// `test` with depths moved nearer by seven units of the stored depth, for a surface in the plane of a surface that is
-    /// already drawn: a shadow on the ground, a sign on a wall. With [`TestNearer`], each pixel of the new surface is
-    /// drawn once.
+    /// `test` with depths moved nearer by seven units of the stored depth, for a surface in the plane of a surface that
+    /// is already drawn: a shadow on the ground, a sign on a wall. With [`TestNearer`] as `test`, each pixel of the new
+    /// surface is drawn only once, even where its faces overlap.
     ///
     /// If the depth changes by at most 256 units from pixel to pixel, no pixel is missing. The new surface also covers
     /// things that are up to seven units nearer than it. A unit is w² / (65,535 · near) long at the distance w.

@@ -35,7 +35,7 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
     /// below on the left, directly below, and below on the right. At the left and right sides of the frame, some of
     /// these pixels would be outside the frame; the pixel directly below gets their parts. The mean brightness
     /// therefore stays the same, except where it would exceed white or fall below black. Details are finer than with
-    /// ordered dithering, but if the picture moves, they change from frame to frame.
+    /// ordered dithering, but if the picture moves, the dots change from frame to frame.
     ///
     /// Bands that are shown from top to bottom give the same picture as the whole frame. The display may be another
     /// canvas that holds the whole frame or the same rows. The display must consume every color that is sent to it.
@@ -73,8 +73,8 @@ impl<O: Storage<Gray8>, D> Canvas<'_, Gray8, O, D> {
 }
 
 impl<'e> ErrorDiffusion<'e> {
-    /// Starts the error diffusion of a frame. `errors` needs one element per column; columns without an element pass
-    /// errors only to the right. The previous contents of `errors` do not matter.
+    /// Starts the error diffusion of a frame. `errors` needs one element per column. If `errors` is shorter, the
+    /// columns beyond its end pass errors only to the right. The previous contents of `errors` do not matter.
     #[must_use]
     pub fn new(errors: &'e mut [i16]) -> Self {
         errors.fill(0);

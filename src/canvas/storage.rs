@@ -14,8 +14,8 @@ use crate::sealed::Sealed;
 /// How a canvas stores colors of type `C`. Sealed: four types implement it.
 ///
 /// [`Native`] keeps the color itself. [`Words`] keeps the color's raw bits as an integer, for a bus that sends words of
-/// 16 bits. embedded-graphics' [`BigEndian`](BigEndian) and [`LittleEndian`](LittleEndian) keep its raw bytes in the
-/// order that the name says, for a bus that sends bytes.
+/// 16 bits. embedded-graphics' [`BigEndian`](BigEndian) and [`LittleEndian`](LittleEndian) keep the color's raw bytes,
+/// in the order that their names say, for a bus that sends bytes.
 ///
 /// Use this trait as a bound in code that draws on canvases of any storage, or that sends the bytes of canvases of any
 /// color:

@@ -88,10 +88,10 @@
 //! ```
 //!
 //! Choose the unit of length so that your scene is between a tenth of a unit and a few thousand units in size: for
-//! example, a meter for a garden, or a centimeter for a machine. [Limits](crate::guide::limits) gives the accuracy of
-//! the picture for each range.
+//! example, a meter for a garden, or a centimeter for a machine. The page [Limits](crate::guide::limits) says how
+//! accurate the picture is with larger coordinates.
 //!
-//! The page of [`num`](crate::num) says how each operation rounds.
+//! The module [`num`](crate::num) says how each operation on these numbers rounds.
 //!
 //! # Mesh
 //!
@@ -197,7 +197,8 @@
 //! ```
 //!
 //! A *mode* decides how exactly textures and colors follow perspective: see [Choosing a mode](crate::guide::modes).
-//! Modes, depth tests and blendings are types: those that you do not name add no code. Culling and viewport are values.
+//! Modes, depth tests and blendings are types: those that you do not name add no code. Culling and viewport are values,
+//! which can change at run time.
 //!
 //! # Canvas
 //!
@@ -274,12 +275,12 @@
 //!
 //! Together, the bands give the same picture as the whole frame, bit for bit. But each band transforms the whole mesh
 //! again. If that takes too long, use a [`DrawList`](crate::DrawList), which transforms the mesh once per frame. The
-//! program in [firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
+//! program on the page [Firmware](crate::guide::firmware) uses two bands: it draws one while the other is sent.
 //!
 //! # When the scene is wrong
 //!
-//! A draw call returns [`Drawn`](crate::Drawn), which says what became of the triangles, and what the mesh lacks. Print
-//! it first:
+//! A draw call returns [`Drawn`](crate::Drawn), which says how many triangles were drawn, culled or clipped, and which
+//! attributes the mesh lacks. Print it first:
 //!
 //! | what you see | what to check |
 //! |---|---|
@@ -294,8 +295,8 @@
 //! | a mirror image is lit from the wrong side | mirror the camera, not the model: [`Camera::mirrored`](crate::Camera::mirrored) |
 //! | a spot or a highlight has jagged edges, or is missing | light is computed at the corners of triangles: make the mesh finer |
 //! | distant surfaces flicker through each other | move the near plane away from the eye, to 1/500 of the far plane's distance or farther: see [Depth](#depth) |
-//! | edges of surfaces have stairs | call [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) after drawing |
+//! | edges of surfaces are jagged | call [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) after drawing |
 //! | lines on a surface are broken | draw the surface with [`Biased::behind`](crate::canvas::Biased::behind), slightly behind its true depth; or draw its [outline](crate::Mesh::outline) with [`Biased::in_front`](crate::canvas::Biased::in_front) |
 //!
-//! [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for faults of displays.
+//! The page [Firmware](crate::guide::firmware#when-the-picture-is-wrong) has a similar table for faults of displays.
 #![cfg_attr(doc, doc = include_str!("tables.html"))]

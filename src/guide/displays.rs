@@ -1,8 +1,8 @@
 //! Each program on this page drives a display through a driver from another project. You can copy the program that fits
 //! your panel, and change its scene. The programs are generic over bus and pins (embedded-hal), so they compile for
 //! your computer and for your chip. The project's tests record the bytes that each program sends, and feed these bytes
-//! to a model of the controller. The model is written from the controller's data sheet, and must show the picture that
-//! is on the canvas. None of the programs has run on a real panel yet.
+//! to a model of the controller. A test fails if the model, which is written from the controller's data sheet, does not
+//! show the picture on the canvas. None of the programs has run on a real panel yet.
 //!
 //! | program | panel | driver, and the version it was tried with |
 //! |---|---|---|
@@ -18,8 +18,8 @@
 //!
 //! The last three sections have no program. They say how many transactions [a driver's buffer](#a-drivers-buffer)
 //! costs, what [panels without memory](#panels-without-memory) need, and how a canvas becomes an image [inside another
-//! library](#inside-another-library). [Firmware](crate::guide::firmware) covers the whole chip: DMA, two cores, and
-//! Embassy and RTIC.
+//! library](#inside-another-library). The page [Firmware](crate::guide::firmware) covers the whole chip: DMA, two
+//! cores, Embassy and RTIC.
 //!
 #![doc = page_picture!(# "A window of the frame", "displays/", "window")]
 //! Most of a dashboard does not move. So draw and send only a window around the object that moves.
@@ -32,8 +32,8 @@
 //! [ordered dithering](crate::shade::PixelFormat) begins at the corner of the canvas. So if colors are dithered, the
 //! coordinates of the window's corner must be multiples of 8. The program calls embedded-graphics' `translated` twice:
 //! `canvas.translated` places text by its position in the frame, and `display.translated` puts the window in its place
-//! on the display. The window must contain both the old and the new position of the moving object. This program uses
-//! the same window for all turns.
+//! on the display. The window must contain both the old and the new position of the moving object. This program's
+//! window contains all positions of the object.
 //!
 #![cfg_attr(not(doctest), doc = program!("window"))]
 //!
@@ -45,9 +45,9 @@
 //! `cortex_m::asm::wfi`, and the interrupt of a timer or of the sensor wakes the processor. With Embassy, make `run` an
 //! `async` function, and wait for a `Timer`: the executor sleeps meanwhile.
 //!
-//! If the needle goes around the dial in steps of 6 degrees, a step sends 7,411 of the frame's 115,200 bytes (mean).
-//! The table has the instructions on an emulated Cortex-M0+, and the time that a Pico is awake for them: at 125 MHz,
-//! with two cycles for an instruction, and without DMA at 62.5 MHz on the bus. At ten steps a second, the processor
+//! If the needle goes around the dial in steps of 6 degrees, each step sends 7,411 of the frame's 115,200 bytes on
+//! average. The table gives the instructions on an emulated Cortex-M0+. The time awake is an estimate for a Pico at 125
+//! MHz: two cycles for each instruction, and then sending without DMA at 62.5 MHz. At ten steps a second, the processor
 //! sleeps for more than nine tenths of the time.
 //!
 //! <!-- figures: needle -->
@@ -60,9 +60,9 @@
 #![cfg_attr(not(doctest), doc = program!("needle"))]
 //!
 #![doc = page_picture!(# "A round panel", "displays/", "round")]
-//! A round panel does not show the corners of the frame, which are a fifth of the frame. Let each band have 16 rows,
-//! and be as wide as the circle in these rows (on the right in the picture). Then 15 % of the pixels are neither drawn
-//! nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
+//! A round panel does not show the corners of the frame, which are a fifth of the frame. Make each band 16 rows high,
+//! and as wide as the circle is in the widest of these rows (on the right in the picture). Then 15 % of the pixels are
+//! neither drawn nor sent. Bands of fewer rows leave out more pixels, but transform the mesh more often.
 //!
 #![cfg_attr(not(doctest), doc = program!("round"))]
 //!
@@ -99,14 +99,14 @@
 //!
 #![doc = page_picture!(# "No tearing", "displays/", "tearing")]
 //! The panel reads its memory 60 times a second. If a frame arrives while the panel reads, the panel shows the upper
-//! part of one frame and the lower part of another: a tear (left). The panel's output TE is low while the panel reads,
-//! and high until the next reading begins.
+//! part of one frame and the lower part of another: a tear (on the left in the picture). The panel's output TE is low
+//! while the panel reads, and high until the next reading begins.
 //!
 //! When to start sending depends on whether the bus or the panel is faster. If the bus takes longer to send a row than
 //! the panel takes to read a row, start as soon as the panel has begun to read (TE falls). Finish before the panel's
 //! next reading catches up with the bus. If the bus is faster, start when the panel has finished reading (TE rises).
-//! The whole frame must be in memory, because drawing between bands would delay the frame. Panels read in the direction
-//! of their longer side, so this method does not prevent tearing on a rotated panel.
+//! The whole frame must be in memory, because drawing between bands would delay the sending. Panels read in the
+//! direction of their longer side, so this method does not prevent tearing on a rotated panel.
 //!
 #![cfg_attr(not(doctest), doc = program!("tearing"))]
 //!
@@ -124,8 +124,8 @@
 //!
 //! mipidsi collects the bytes of colors in a buffer that you give it. Each full buffer is a transaction: the driver
 //! takes the bus, selects the panel, and waits. lcd-async takes the bytes of a canvas as they are
-//! ([`as_bytes`](crate::Canvas::as_bytes)): each band is one transaction, after six for the commands. These are the
-//! transactions for a frame of 240x240 pixels in six bands:
+//! ([`as_bytes`](crate::Canvas::as_bytes)): each band takes six transactions for its commands, and one for its pixels.
+//! These are the transactions for a frame of 240x240 pixels in six bands:
 //!
 //! | driver and buffer | transactions |
 //! |---|---:|
@@ -139,9 +139,9 @@
 //! A panel with an RGB interface has no memory: a controller on the chip (LTDC of an STM32, LCD_CAM of an ESP32-S3)
 //! reads the frame from RAM, 60 times a second. The frame is usually in PSRAM or SDRAM. Draw each band in fast memory,
 //! with its depths, and copy the band to its rows of the frame: then each pixel is written to the slow memory once. The
-//! function `draw` of [Two frames](#two-frames) does this. In place of sending the frame, give its address to the
-//! controller, which shows this frame from the next refresh on; then draw into the other frame. The table gives the
-//! data rates that the frame needs from the slow memory:
+//! function `draw` in the section [Two frames](#two-frames) draws bands in this way. In place of sending the frame,
+//! give its address to the controller, which shows this frame from the next refresh on; then draw into the other frame.
+//! The table gives the data rates that the frame needs from the slow memory:
 //!
 //! | pixels | a frame, KiB | read for 60 refreshes, MB/s | written for 30 frames, MB/s |
 //! |---|---:|---:|---:|
@@ -153,7 +153,7 @@
 //! data lines at both edges of the clock move four times as much. A processor with a data cache must write the cache
 //! back before the controller reads the frame.
 //!
-//! A parallel panel with memory of its own (8080, with 8 or 16 data lines) is like one on SPI: send bands. Let the
+//! If a parallel panel has memory of its own (8080, with 8 or 16 data lines), send bands, as to a panel on SPI. Let the
 //! canvas store [`Words`](crate::canvas::Words) for 16 lines, and `BigEndian` bytes for 8.
 //!
 //! # Inside another library
@@ -170,8 +170,8 @@
 //! | TFT_eSPI | `pushImage(x, y, width, height, pixels)`, after `setSwapBytes(false)` | `Canvas<Rgb565, BigEndian>` |
 //! | LovyanGFX | the same with pixels of the type `swap565_t` | `Canvas<Rgb565, BigEndian>` |
 //!
-//! The calls are from the documentation of these libraries, and were not compiled here. With TFT_eSPI and LovyanGFX, a
-//! band can be such an image. LVGL and Slint need the whole image, because they draw it again when something above it
+//! The calls are from the documentation of these libraries, and were not compiled here. With TFT_eSPI and LovyanGFX, an
+//! image can be a single band. LVGL and Slint need the whole image, because they draw it again when something above it
 //! changes.
 //!
 // The smaller font lets lines of 100 characters fit into the page.

@@ -15,8 +15,8 @@
 //! # Less flash
 //!
 //! [`shape!`](crate::shape) and [`include_mesh!`](crate::include_mesh) can store a mesh in fewer bits. The argument
-//! `quantized` reduces only the positions. The arguments `quantized_8` and, for files, `quantized_16` reduce positions,
-//! normals and texture coordinates. The number in the name is the number of bits for u, and for v:
+//! `quantized` reduces only the positions. The arguments `quantized_8` and `quantized_16` (only in `include_mesh!`) reduce
+//! positions, normals and texture coordinates. The number in the name is the number of bits for u, and for v:
 //!
 //! | list | bytes per element | bytes in fewer bits | largest error |
 //! |---|---|---|---|

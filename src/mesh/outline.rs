@@ -10,8 +10,8 @@ use crate::num::Angle;
 /// The edges of a mesh that may be part of its outline, each with its two faces.
 ///
 /// [`Mesh::outline`] draws the edges that show the shape, as seen from the eye.
-/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) removes the stairs along the same edges. There are two kinds
-/// of such edges:
+/// [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) smooths the jagged pixels along these edges. There are two kinds
+/// of them:
 ///
 /// - *creases*, where two faces meet at an angle above a limit;
 /// - *silhouettes*, where a front face meets a back face, and borders, which have only one face.

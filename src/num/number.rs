@@ -234,7 +234,8 @@ number! {
     /// The range is −2048 to 2048 − 2⁻²⁰, and the resolution is 2⁻²⁰ ≈ 9.5e-7. Rounding to this resolution moves a
     /// texture of 256 texels by at most 1.2e-4 texel; rounding to a [`Scalar`] would move it by up to 2e-3 texel.
     /// [`vec2!`](crate::vec2) writes a pair of literals. `TexCoord` has the same operators and conversions as
-    /// [`Scalar`]. `try_from` also converts a `Scalar`, and a `Scalar` multiplies or divides a `TexCoord`.
+    /// [`Scalar`]. `try_from` converts a `Scalar` to a `TexCoord`, and a `TexCoord` can be multiplied or divided by a
+    /// `Scalar`.
     ///
     /// ```
     /// use fixel::{Error, TexCoord, Vec2, fx, vec2};

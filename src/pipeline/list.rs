@@ -87,7 +87,7 @@ use prepared::{Objects, Placed, Run};
 /// # Memory
 ///
 /// The list needs room for the visible triangles or edges (16 bytes each) and for their vertices (16 bytes each). A
-/// closed mesh in which neighboring triangles follow each other needs about half as many vertices as triangles. In
+/// closed mesh that lists neighboring triangles one after the other needs about half as many vertices as triangles. In
 /// other meshes, a triangle needs at most three vertices. A clipped triangle needs up to 18 vertices in any mesh. An
 /// edge needs at most two vertices, or four if it is clipped. If there is too little room, [`prepare`](Self::prepare)
 /// returns how much is needed.

@@ -158,7 +158,7 @@ impl<S: Shader, C: Output, F: Fn(&Fragment, S::Color) -> Option<C> + Copy> Shade
     }
 }
 
-/// A surface that is dithered in any format; see [`Shader::dithered`].
+/// A surface that is dithered whatever its format; see [`Shader::dithered`].
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dithered<S> {

@@ -54,9 +54,9 @@ use crate::sealed::Sealed;
 ///
 /// R is the triangle's range of distances, (a + b) / c, where a is the greatest distance of a corner, b is how far a
 /// corner lies behind the eye, and c is the least distance that is drawn. For example, a floor from the near plane at
-/// 0.1 to a distance of 300 has an R of 3,000. In linear fog from 10 to 100, R · far / (far − near) is then 3,333. If a
-/// triangle breaks the condition, the error grows in proportion. In linear fog, it grows faster at distances of more
-/// than 65,536 · (far − near) beyond `far`, where the fog is cut off. Divide such a triangle into smaller triangles.
+/// 0.1 to a distance of 300 has an R of 3,000. In linear fog from 10 to 100, R · far / (far − near) is then 3,333. At n
+/// times the limit, the error is at most n/100. In linear fog, the error grows faster at distances of more than 65,536 ·
+/// (far − near) beyond `far`, where the fog is cut off. Divide a triangle above the limit into smaller triangles.
 ///
 /// For a plain color of 15 or 16 bits, such as a [`Flat`](crate::Flat) or [`Textured`](crate::Textured) surface in
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. This adds an error of at most 1/64,

@@ -193,8 +193,8 @@ impl Mode for Affine {
 ///
 /// Let δ be the relative change of 1/w from one pixel to the next. The guess has a relative error of 2δ², and the
 /// Newton step squares it. With δ ≤ 2⁻⁶, the reciprocal has a relative error of at most 2⁻²¹. A span with a greater δ
-/// is drawn with a reciprocal at every pixel, as in [`Compact`]. Rounding adds an error of up to 57 units to a varying
-/// (for a texture coordinate, less than 0.0008 texels). The error of [`Compact`] is added to this.
+/// is drawn with a reciprocal at every pixel, as in [`Compact`]. To the error of a varying in [`Compact`], rounding adds
+/// up to 50 units (for a texture coordinate, 0.0008 texels).
 ///
 /// Where division makes no visible difference, this mode does not divide:
 ///

@@ -68,16 +68,16 @@ pub type Timer = hal::Timer<hal::timer::CopyableTimer0>;
 /// Columns and rows of the display, rows of a band, and bands in memory. The taller bands are, the fewer triangles are
 /// in several of them; two cores need a band each, and one that is being sent.
 const LAYOUT: (u32, u32, u32, usize) = {
-    // `pico_model` and `pico_world` draw with both cores of a Pico, and with one of a Pico 2, which has twice the memory.
+    // A Pico 2 has twice the memory.
     match (
         cfg!(feature = "model"),
         cfg!(feature = "world"),
         cfg!(feature = "pico2"),
     ) {
         (true, _, false) => (320, 240, 60, 3),
-        (true, _, true) => (320, 240, 120, 2),
+        (true, _, true) => (320, 240, 120, 3),
         (_, true, false) => (240, 240, 80, 3),
-        (_, true, true) => (240, 240, 240, 2),
+        (_, true, true) => (240, 240, 120, 3),
         _ => match (cfg!(feature = "ball"), cfg!(feature = "dual")) {
             (false, _) => (240, 240, 40, 3),
             (true, false) => (320, 240, 120, 2),

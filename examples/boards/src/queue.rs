@@ -12,6 +12,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use fixel::Error;
 use fixel::canvas::{Canvas, LinearDepth, Words};
 use flash_model::Module;
+use hal::multicore::{Multicore, Stack};
 use hal::pac::{self, interrupt};
 use hal::sio;
 use heapless::Vec;
@@ -247,12 +248,26 @@ fn DMA_IRQ_0() {
 pub struct Rest {
     /// Counts microseconds.
     pub timer: Timer,
-    /// For the second core.
-    pub psm: pac::PSM,
-    /// For the second core.
-    pub ppb: pac::PPB,
-    /// For the second core.
-    pub fifo: sio::SioFifo,
+    psm: pac::PSM,
+    ppb: pac::PPB,
+    fifo: sio::SioFifo,
+}
+
+impl Rest {
+    /// Starts core 1, which has the second stack.
+    ///
+    /// # Panics
+    ///
+    /// The stack was used before, or core 1 does not answer.
+    pub fn start_core_1<const WORDS: usize>(
+        mut self,
+        stack: &Stack<WORDS>,
+        work: impl FnOnce() + Send + 'static,
+    ) {
+        let mut cores = Multicore::new(&mut self.psm, &mut self.ppb, &mut self.fifo);
+        let stack = stack.take().unwrap();
+        cores.cores()[1].spawn(stack, work).unwrap();
+    }
 }
 
 /// Sets up the board, with an ST7789, and the queue. May be called once.

@@ -37,7 +37,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **The inverse of a rigid transform is a transpose and an opposite move.** The rows of a rotation *R* are
+//! **To invert a rigid transform, transpose its rotation, and reverse its move.** The rows of a rotation *R* are
 //! orthonormal, so *RR*<sup>T</sup> is the identity. Undo the moves in reverse order:
 //!
 #![doc = formula!({(fun translate (p) dot R)^{-1}} {= R^T dot fun translate (-p)})]

@@ -42,11 +42,11 @@
 //! ```
 //!
 //! **The other planes of the frustum clip in the same way.** The right plane is *x* = *w* in clip space, and the
-//! distance from it is *d* = *w* − *x*. A matrix computed *x* and *w*, so *d* is linear in space, too. With the
-//! distances *d*₀ at the inside end and −*d*₁ at the outside end, *t* = *d*₀/(*d*₀ + *d*₁). To clip a polygon, walk
-//! around it (Sutherland and Hodgman): keep each corner that is inside, and insert a new corner on each edge that
-//! crosses the plane. Then clip the result by the next plane. A plane cuts the outline of a triangle at most twice, so
-//! each plane adds at most one corner.
+//! distance from it is *d* = *w* − *x*. A matrix computes *x* and *w*, so they are linear in space, and *d* is linear,
+//! too. If the inside end is *d*₀ inside the plane, and the outside end is *d*₁ outside, *t* = *d*₀/(*d*₀ + *d*₁). To
+//! clip a polygon, walk around it (Sutherland and Hodgman): keep each corner that is inside, and insert a new corner on
+//! each edge that crosses the plane. Then clip the result by the next plane. A plane cuts the outline of a triangle at
+//! most twice, so each plane adds at most one corner.
 //!
 //! # A shared cut
 //!
@@ -60,10 +60,10 @@
 //! | the inside end | 85/256 | 332 | 332 |
 //! | the outside end | 170/256 | −665 | 335 |
 //!
-//! If each triangle used its own direction, their new corners would be 3 units apart, and the background would be seen
-//! through the crack. If both triangles begin at the inside end, they compute the same numbers by the same steps, and
-//! get the same corner to the last bit. The rounding error is still there, but it moves both triangles by the same
-//! amount.
+//! If each triangle used its own direction, their new corners would be 3 apart (332 and 335), and the background would
+//! be seen through the crack. If both triangles begin at the inside end, they compute the same numbers by the same
+//! steps, and get the same corner to the last bit. The rounding error is still there, but it moves both triangles by
+//! the same amount.
 //!
 //! ```
 //! let floor = |a: i32, b: i32| a.div_euclid(b);

@@ -4,19 +4,20 @@
 //!
 //! **The best color of a pixel is the mean of the picture over the pixel's square.** The [top-left
 //! rule](crate::guide::mathematics::triangles#a-shared-edge) gives each pixel the color at its center. So an edge
-//! between two colors gets stairs. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the mean
+//! between two colors looks jagged. If the color is *A* on the pixel's own side of the edge and *B* beyond it, the mean
 //! needs only one number, the share *s* of the square that lies beyond the edge:
 //!
 #![doc = formula!({A + s (B - A)})]
 //!
-//! If an edge crosses more columns than rows, it passes in each column between the centers of two pixels, one above the
-//! other. In a steep edge, rows and columns change places. Let *m* be the edge's slope, from 0 (level) to 1 (diagonal),
-//! and *d* the distance from a center straight up or down to the edge. The distances of both pixels add up to 1.
+//! Take an edge that is at most as steep as a diagonal. In each column, the edge passes between the centers of two
+//! pixels, one above the other. (For a steeper edge, exchange rows and columns.) Let *m* be the edge's slope, from 0
+//! (level) to 1 (diagonal), and *d* the distance from a center straight up or down to the edge. The distances *d* of
+//! the two pixels add up to 1.
 //!
 #![doc = include_str!("../diagrams/share.svg")]
 //!
-//! Across the pixel, the edge rises by *m*. So the edge's height above or below the center is from *d* − *m*/2 to *d* +
-//! *m*/2, and the pixel ends at ½. There are three cases.
+//! Across the pixel, the edge rises by *m*. So its distance above or below the center is from *d* − *m*/2 on one side
+//! of the pixel to *d* + *m*/2 on the other. The pixel itself ends ½ above and below the center. There are three cases.
 //!
 //! - *d* + *m*/2 ≤ ½: the edge leaves the pixel through its left and right side. Beyond the edge is a trapezoid of
 //!   width 1, with the mean height ½ − *d*.
@@ -26,8 +27,8 @@
 //!
 #![doc = formula!({s = frac(u^2)(2 m)} {u = frac(1 + m)(2) - d})]
 //!
-//! Where the cases meet, at *u* = *m* and *u* = 0, the shares are the same. In each column, only these two pixels can
-//! have a share: the next pixel's distance is above 1, and *m* is at most 1.
+//! Where two cases meet (at *u* = *m* and *u* = 0), both give the same share. In each column, the edge divides no third
+//! pixel: the third pixel's *d* is above 1, and *m* is at most 1, so the edge misses it.
 //!
 //! ```
 //! use embedded_graphics::pixelcolor::{Gray8, GrayColor};
@@ -60,17 +61,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! **The neighbor's color is *B*.** The two pixels lie on different sides of the edge. So
+//! **The color *B* beyond the edge is the neighbor's color.** The two pixels lie on different sides of the edge. So
 //! [`Canvas::smooth_edges`](crate::Canvas::smooth_edges) mixes the color of each pixel with the old color of the other,
 //! and needs to know neither the shader nor the order in which things were drawn. The shape does not grow, because both
 //! pixels get their exact shares. Two errors remain. Where colors change along the surface, the color at the neighbor's
 //! center is not the color at the edge. And where two edges meet in a pixel, only one of them changes the pixel's
 //! color.
 //!
-//! **Rounding adds less than 3/256.** Positions have 8 fraction bits. The distance *d* comes from the remainder of the
-//! edge's exact division ([A shared edge](crate::guide::mathematics::triangles#a-shared-edge)), and is rounded down to
-//! 1/256. The slope is rounded down to 1/256, which changes a share by at most an eighth of 1/256. The share of a
-//! corner is rounded down once more.
+//! **Rounding changes a share by less than 3/256.** Positions have 8 fraction bits. The distance *d* comes from the
+//! remainder of the edge's exact division ([A shared edge](crate::guide::mathematics::triangles#a-shared-edge)), and is
+//! rounded down to 1/256. The slope is rounded down to 1/256, which changes a share by at most an eighth of 1/256. If
+//! the edge cuts off a corner, the share is rounded down once more.
 //!
 //! Tests: `accuracy/smooth_edges.rs`. Unit tests: pairs of pixels in `src/raster/straddle.rs`.
 //!

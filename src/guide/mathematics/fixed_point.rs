@@ -50,8 +50,9 @@
 //! assert!((error(step) - 1.0 / 4096.0).abs() < 1e-9);
 //! ```
 //!
-//! **A straight piece needs a reciprocal only at its ends.** Let *a* = *P*/*Q* along a row, where *P* and *Q* are
-//! linear, and let a dot over a letter mean its change per pixel. Differentiate *aQ* = *P* twice:
+//! **If straight pieces replace a curve, only the ends of the pieces need reciprocals.** The curve along a row is *a* =
+//! *P*/*Q*, where *P* and *Q* are linear. Let a dot over a letter mean its change per pixel. Differentiate *aQ* = *P*
+//! twice:
 //!
 #![doc = formula!(
     {dotted(a) Q + a dotted(Q) = dotted(P)}
@@ -59,7 +60,7 @@
     {|twice_dotted(a)| = 2 |dotted(a)| var "δ"}
 )]
 //!
-//! A straight piece over *L* pixels is a chord of this curve. Its error is at most |*ȧ*| δ *L*²/4, an eighth of *L*²
+//! A straight piece over *L* pixels is a chord of the curve. Its error is at most |*ȧ*| δ *L*²/4, an eighth of *L*²
 //! times the second derivative. The mode [`Fast`](crate::mode::Fast) uses the longest pieces that keep this error below
 //! your tolerance.
 //!

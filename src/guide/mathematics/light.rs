@@ -1,4 +1,4 @@
-//! Light: how the normals, the lights and the eye determine the brightness at a surface's corners.
+//! Light: how the normals, the lights and the eye determine the brightness at the corners of triangles.
 //!
 //! All vectors on this page are in world space. The vectors *n* (the normal), *l* (toward the light) and *v* (toward
 //! the eye) have the length one.
@@ -11,7 +11,7 @@
 //!
 #![doc = formula!({(N n)^T M d = n^T N^T M d = 0} {N^T M = I} {N = (M^{-1})^T})]
 //!
-//! If *N*<sup>T</sup>*M* is the identity, the left side is *n*<sup>T</sup>*d*, which is zero. A rotation is the
+//! If *N*<sup>T</sup>*M* is the identity *I*, the product is *n*<sup>T</sup>*d*, which is zero. A rotation is the
 //! transpose of its inverse, so rotations turn normals like points. The difference shows when a model is stretched:
 //!
 #![doc = include_str!("../diagrams/stretched.svg")]
@@ -107,8 +107,8 @@
 //! | 30° | 0.316 | 0.330 |
 //! | 40° | 0.119 | 0.137 |
 //!
-//! fixel uses Blinn's formula. At grazing angles, highlights by *h* become long and narrow, as on real surfaces;
-//! highlights by *r* stay round.
+//! fixel uses Blinn's formula. At grazing angles, Blinn's highlights become long and narrow, as on real surfaces;
+//! Phong's highlights stay round.
 //!
 //! By hand: *n* = *v* = (0, 0, 1), and the light is at *l* = (0.6, 0, 0.8). Then *r* = (−0.6, 0, 0.8) and *r* · *v* =
 //! 0.8. The sum *l* + *v* = (0.6, 0, 1.8) has the length √3.6, so (*n* · *h*)² = 1.8²/3.6 = 0.9. With *e* = 8, Phong's

@@ -21,8 +21,8 @@
     {prime(y) to -n frac(v[y])(v[z])}
 )]
 //!
-//! The vanishing point is also the image of the point *v* itself, or of −*v* if *v* points backward: the line of sight
-//! to a vanishing point is parallel to the lines that meet there.
+//! The vanishing point is also the image of the point *v* (or of −*v*, if *v* points backward), because the line of
+//! sight to a vanishing point is parallel to the lines that meet there.
 //! [`Projection::vanishing_point`](crate::Projection::vanishing_point) computes the vanishing point.
 //!
 //! ```
@@ -93,22 +93,22 @@
 //!
 #![doc = include_str!("../diagrams/foreshortening.svg")]
 //!
-//! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. The point's distance *w* is the
-//! same mean of *w*₀ and *w*₁. The point's image is *nx*/*w*; at the ends, *nx* = *wx*′:
+//! The point at *t* is a mean of the segment's ends, with the weights 1 − *t* and *t*. Its distance *w* is the mean of
+//! *w*₀ and *w*₁ with the same weights. The point's image is *nx*/*w*; at the ends, *nx* = *wx*′:
 //!
 #![doc = formula!(
     {prime(x) = frac((1 - t) n x[0] + t n x[1])((1 - t) w[0] + t w[1])}
     {= frac((1 - t) w[0] prime(x[0]) + t w[1] prime(x[1]))((1 - t) w[0] + t w[1])}
 )]
 //!
-//! This is a mean of the images of the ends. The weight of the second image is *q*:
+//! So *x*′ is a mean of the images of the ends. The weight of the second image is *q*:
 //!
 #![doc = formula!(
     {q = frac(t w[1])(w[0] + t (w[1] - w[0]))}
     {frac(q)(1 - q) = frac(t)(1 - t) dot frac(w[1])(w[0])}
 )]
 //!
-//! The last equation stays true if *t* and *q* change places, and *w*₀ and *w*₁ do, too. Therefore
+//! The last equation stays true if you exchange *t* with *q*, and *w*₀ with *w*₁. Therefore
 //!
 #![doc = formula!({t = frac(q w[0])(w[1] - q (w[1] - w[0]))})]
 //!
@@ -127,8 +127,8 @@
 //!
 #![doc = formula!({a = frac(fun lerp (a[0] / w[0], a[1] / w[1], q))(fun lerp (1 / w[0], 1 / w[1], q))})]
 //!
-//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result holds for *w*, the fourth
-//! homogeneous coordinate, after any matrix. Textbooks write *f* for the fraction on the screen and *g* for the
+//! The derivation uses only that *w* and *wx*′ are linear in space. Therefore the result also holds after any matrix,
+//! if *w* is the fourth homogeneous coordinate. Textbooks write *f* for the fraction on the screen and *g* for the
 //! fraction in space:
 //!
 #![doc = formula!({g = frac(f)(fun lerp (w[1] / w[0], 1, f))} {a = fun lerp (a[0], a[1], g)})]
@@ -155,7 +155,7 @@
 //! screen, the middle of the segment's picture would show the distance 2.5. The true distance there is 1.6. A depth
 //! test would let the wrong surface win, and a texture that is interpolated in this way bends along the diagonal of
 //! each square. Interpolate 1/*w* and *a*/*w*, and divide last. The mode [`Affine`](crate::mode::Affine) skips the
-//! division on purpose; [its error](crate::guide::modes#affine) has a formula.
+//! division on purpose; [a formula](crate::guide::modes#affine) gives its error.
 //!
 //! </div>
 //!

@@ -3,8 +3,8 @@
 //! With these pages you can work out by hand where a point of your scene lands on the screen, which triangle draws a
 //! pixel on a shared edge, how bright the pixel is, and why a texture bends if depth is interpolated the wrong way. You
 //! can also say where the errors of fixed point come from, and how large they are. You need to know vectors and
-//! matrices, but nothing about graphics. Each step states a claim, derives it, and checks numbers with the functions
-//! that compute them.
+//! matrices, but nothing about graphics. Each step states a claim, derives it, and checks an example against the
+//! numbers that fixel's functions compute.
 //!
 //! Read the pages in this order. They follow a vertex until it has become pixels:
 //!

@@ -110,7 +110,7 @@
 //!
 //! A step of [`FloatDepth`](crate::canvas::FloatDepth) is about the same share of the distance everywhere.
 //!
-//! Tests: `accuracy/formulas/pixel.rs`; depths in whole scenes in `accuracy/promises.rs`.
+//! Tests: `accuracy/formulas/pixel.rs`; depths of random triangles: `accuracy/promises.rs`.
 //!
 //! # A mip level
 //!

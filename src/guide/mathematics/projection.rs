@@ -252,7 +252,7 @@
 //!
 #![doc = formula!({length = sqrt(i^2 + j^2) = sqrt(1 - k^2)})]
 //!
-//! In an isometric view, the images of all three axes have the same length, so the axes have the same *k*. The three
+//! In an isometric view, the images of the three unit vectors are equally long, so their *k* are equal. The three
 //! numbers *k* are the components of the unit vector toward the viewer. So each is 1/√3, and each length is √(2/3),
 //! about 0.816. The camera is turned by 45° and raised by 35.26°, the angle whose sine is 1/√3. In a dimetric view, two
 //! of the three lengths are equal. In a trimetric view, all three lengths differ. A view along an axis shows the front,

@@ -8,7 +8,7 @@ use boards::pico::{MODULE, hal, report};
 use boards::queue::{Share, animate, start};
 use boards::scene::Memory;
 use cortex_m::singleton;
-use hal::multicore::{Multicore, Stack};
+use hal::multicore::Stack;
 
 /// The stack of core 1, in words of four bytes: half as much again as was measured.
 static STACK: Stack<2048> = Stack::new();
@@ -24,17 +24,13 @@ fn share(core: u32) -> Share {
 
 #[hal::entry]
 fn main() -> ! {
-    let mut board = start().unwrap();
+    let board = start().unwrap();
     let timer = board.timer;
     let [here, there] = [
         singleton!(: Memory = Memory::new()).unwrap(),
         singleton!(: Memory = Memory::new()).unwrap(),
     ];
-    let mut cores = Multicore::new(&mut board.psm, &mut board.ppb, &mut board.fifo);
-    let stack = STACK.take().unwrap();
-    cores.cores()[1]
-        .spawn(stack, move || animate(share(1), timer, there))
-        .unwrap();
+    board.start_core_1(&STACK, move || animate(share(1), timer, there));
     animate(share(0), timer, here)
 }
 

@@ -1,5 +1,5 @@
 //! A Raspberry Pi Pico (RP2040) or Pico 2 (RP2350) that shows the model behind this program in flash, on the module
-//! that the model names. A Pico draws with both cores. The playground and `--example model` put both into one UF2.
+//! that the model names. Both cores draw. The playground and `--example model` put both into one UF2.
 #![no_std]
 #![no_main]
 
@@ -11,8 +11,7 @@ use boards::pico::{PIXELS, hal, report};
 use boards::queue::{animate_with_depth, set_pattern, start_with};
 use cortex_m::singleton;
 use flash_model::{ADDRESS, Board, Module};
-#[cfg(feature = "pico")]
-use hal::multicore::{Multicore, Stack};
+use hal::multicore::Stack;
 
 /// The flash behind the program.
 fn flash() -> &'static [u32] {
@@ -29,7 +28,6 @@ fn flash() -> &'static [u32] {
 }
 
 /// The stack of core 1, in words of four bytes: half as much again as was measured.
-#[cfg(feature = "pico")]
 static STACK: Stack<3584> = Stack::new();
 
 #[hal::entry]
@@ -48,16 +46,12 @@ fn main() -> ! {
             Ok(())
         })
     };
-    let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
-    #[cfg(feature = "pico")]
-    {
-        let mut board = board;
-        let there = singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap();
-        let mut cores = Multicore::new(&mut board.psm, &mut board.ppb, &mut board.fifo);
-        let stack = STACK.take().unwrap();
-        cores.cores()[1].spawn(stack, move || draw(there)).unwrap();
-    }
-    draw(depths)
+    let [here, there] = [
+        singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap(),
+        singleton!(: [u16; PIXELS] = [0; PIXELS]).unwrap(),
+    ];
+    board.start_core_1(&STACK, move || draw(there));
+    draw(here)
 }
 
 /// Shows the panic on the display and by the LED.
