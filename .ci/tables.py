@@ -266,6 +266,39 @@ def names(instructions, other):
             parts.append(text(202 + count * 0.75, y + 4, tenths(count), "start"))
         return drawing(440, 20 * len(kinds) + 12, "Instructions for a pixel of each kind of texture", parts)
 
+    def trade():
+        """The error of each mode over its cost, for the floor and the cube; both axes are logarithmic."""
+        def place(cost, error):
+            return f"{68 + math.log10(cost / 0.4) * 284:.1f} {288 - math.log10(error / 1e-5) * 31:.1f}"
+
+        yield text(4, 16, "largest error of a pixel, in texels", "start")
+        for power in range(-5, 4):
+            x, y = place(0.4, 10**power).split()
+            yield f'<path d="M{x} {y}H436" stroke="currentColor" stroke-opacity=".2"/>'
+            yield text(62, float(y) + 4, f"{10**power:.{max(-power, 0)}f}", "end")
+        for cost in [0.5, 0.7, 1, 1.5, 2, 3, 5, 7]:
+            yield text(float(place(cost, 1).split()[0]), 306, f"{cost:g}")
+        yield text(436, 326, "millions of Cortex-M4 instructions a frame", "end")
+        yield '<path d="M106 271l-32 13m13 1l-13-1l8-10" fill="none" stroke="currentColor" stroke-width="1.5"/>'
+        yield text(110, 277, "better", "start")
+        # A label is to the left or the right of its point, or below.
+        left, right, below = (-9, 4, "end"), (9, -3, "start"), (0, 19, "middle")
+        scenes = [("floor", FIXEL, "round", "floor of 2 triangles", 60,
+                   {"affine": right, "fast": right, "newton": right, "exact": (0, -10, "middle")}),
+                  ("cube", COLORS["tgx FPU"], "square", "cube of 12 triangles", 91,
+                   {"affine": left, "fast": left, "newton": left, "exact": below})]
+        words = {"floor newton": "Newton, the default", "floor fast": "Fast, within ¼ texel"}
+        for scene, color, cap, name, y, labels in scenes:
+            points = {mode: place(instructions[M4, "3", mode, scene, "mean-of-poses"] / 1e6,
+                                  other[f"{scene} {mode} error max"]) for mode in labels}
+            mark = f'stroke="{color}" stroke-width="11" stroke-linecap="{cap}"'
+            yield f'<path d="M{"L".join(points.values())}" fill="none" stroke="{color}" stroke-opacity=".6"/>'
+            for mode, (right, down, anchor) in labels.items():
+                x, at = map(float, points[mode].split())
+                yield f'<path d="M{points[mode]}h0" {mark}/>'
+                yield text(x + right, at + down, words.get(f"{scene} {mode}", mode.capitalize()), anchor)
+            yield f'<path d="M292 {y - 4}h0" {mark}/>' + text(304, y, name, "start")
+
     def rate(what):
         """Frames a second of a Pico."""
         return f"{125e6 / other[what]:.0f}"

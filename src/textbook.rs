@@ -8,6 +8,7 @@
 //! | [`Segment`]: depth, fractions and attributes along a segment in perspective | [a segment](crate::guide::mathematics::lines#a-segment) |
 //! | [`perspective_transform`]: the part of a projection's matrix that makes distant things small | [a matrix](crate::guide::mathematics::projection#a-matrix) |
 //! | [`speed`]: how fast the picture of a moving point moves | [lines](crate::guide::mathematics::lines) |
+#![cfg_attr(doc, doc = include_str!("guide/tables.html"))]
 
 use crate::math::{Matrix4, Vec3};
 use crate::num::{Fraction, Scalar};

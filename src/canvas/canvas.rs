@@ -44,7 +44,7 @@ const MAX_SIZE: u32 = 2048;
 ///
 /// [`with_depth`](Self::with_depth) and [`with_depth_format`](Self::with_depth_format) add a depth buffer.
 ///
-/// A canvas is an embedded-graphics [`DrawTarget`], so text and gauges can be drawn over the picture.
+/// A canvas is an embedded-graphics [`DrawTarget`](DrawTarget), so text and gauges can be drawn over the picture.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -76,6 +76,7 @@ const MAX_SIZE: u32 = 2048;
 ///     canvas.clear(Rgb565::BLUE);
 /// }
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Debug)]
 pub struct Canvas<'a, C, O: Storage<C> = Native, D = NoDepth> {
     cells: &'a mut [O::Cell],
@@ -368,7 +369,7 @@ impl<O: Storage<BinaryColor>, D> Canvas<'_, BinaryColor, O, D> {
 impl<C, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// Sets every pixel to `color` and, if there is a depth buffer, every depth to infinity.
     ///
-    /// embedded-graphics' [`DrawTarget::clear`] does the same.
+    /// embedded-graphics' [`DrawTarget::clear`](DrawTarget::clear) does the same.
     pub fn clear(&mut self, color: C) {
         fill(self.cells, O::store(color));
         self.clear_depth();

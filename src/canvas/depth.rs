@@ -49,6 +49,7 @@ use crate::sealed::Sealed;
 /// assert_eq!(depths, [0; 4]);
 /// # Ok::<(), Error>(())
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 pub trait DepthBuffer: Sealed {
     /// Whether the canvas keeps depths, to be tested and stored.
     #[doc(hidden)]

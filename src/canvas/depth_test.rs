@@ -22,6 +22,7 @@ use crate::sealed::Sealed;
 /// use fixel::{prelude::*, canvas::TestOnly};
 /// let glass = DrawOptions::new().with_depth_test(TestOnly);
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 pub trait DepthTest: Copy + Sealed {
     /// Whether a pixel is drawn only if its depth [passes](Self::passes).
     #[doc(hidden)]

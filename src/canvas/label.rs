@@ -15,8 +15,8 @@ use super::depth::DepthBuffer;
 use super::storage::Storage;
 use crate::num::wide::at_least;
 
-/// An embedded-graphics [`DrawTarget`] that draws on a canvas, with its origin at a point of the scene. Surfaces nearer
-/// than this point hide the label's pixels. [`Canvas::label`] makes a label.
+/// An embedded-graphics [`DrawTarget`](DrawTarget) that draws on a canvas, with its origin at a point of the scene.
+/// Surfaces nearer than this point hide the label's pixels. [`Canvas::label`] makes a label.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Label<'c, T> {

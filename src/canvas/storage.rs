@@ -14,8 +14,8 @@ use crate::sealed::Sealed;
 /// How a canvas stores colors of type `C`. Sealed: four types implement it.
 ///
 /// [`Native`] keeps the color itself. [`Words`] keeps the color's raw bits as an integer, for a bus that sends words of
-/// 16 bits. embedded-graphics' [`BigEndian`] and [`LittleEndian`] keep the color's raw bytes, in the order that their
-/// names say, for a bus that sends bytes.
+/// 16 bits. embedded-graphics' [`BigEndian`](BigEndian) and [`LittleEndian`](LittleEndian) keep the color's raw bytes,
+/// in the order that their names say, for a bus that sends bytes.
 ///
 /// Use this trait as a bound in code that draws on canvases of any storage, or that sends the bytes of canvases of any
 /// color:
@@ -65,8 +65,8 @@ pub enum Native {}
 /// A [`Storage`] that keeps a color's raw bits as an integer, such as a `u16` for `Rgb565`.
 ///
 /// Use it if the bus and its DMA send words of 16 bits with the most significant bit first. A display of 16-bit colors
-/// expects this order. The processor then stores a pixel in one step, whereas it stores [`BigEndian`] bytes one by one.
-/// Many buses also pause after each word, so one word of 16 bits is sent faster than two words of 8 bits.
+/// expects this order. The processor then stores a pixel in one step, whereas it stores [`BigEndian`](BigEndian) bytes
+/// one by one. Many buses also pause after each word, so one word of 16 bits is sent faster than two words of 8 bits.
 ///
 /// A color of up to 8 bits is stored in a `u8`, a color of up to 16 bits in a `u16`, and a color of more bits in a
 /// `u32`. Unused upper bits are 0.

@@ -50,8 +50,7 @@ pub mod mathematics;
 #[cfg_attr(doc, doc = include_str!("diagrams/axes.svg"))]
 ///
 #[doc = include_str!("coming_from.md")]
-// On a phone, tables of three columns scroll. In tables of two, both columns fit.
-#[doc = "\n<style>.docblock tr:has(> :nth-child(3)) code { overflow-wrap: break-word }</style>"]
+#[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod coming_from {}
 
 /// This page leads from `cargo new` to a picture on a panel: firmware for a small chip and a 240x240 display on SPI.
@@ -66,16 +65,8 @@ pub mod displays;
 /// A mode is the method that interpolates textures and colors across a triangle. This page says which mode suits which
 /// scene and processor core, how large an error to expect, and how the bound of each error is derived.
 ///
-#[cfg_attr(
-    all(doc, feature = "assets"),
-    doc = concat!(
-        "<img alt=\"Cost and error of each mode in two scenes, and a floor of two triangles: bent by Affine, straight ",
-        "by Newton\" style=\"width: 640px; max-width: 100%\" src=\"",
-        fixel_macros::picture_uri!("trade.png"),
-        "\">\n"
-    )
-)]
-///
+#[doc = concat!("<div>", include_str!("diagrams/trade.svg"), "</div>\n")]
+#[cfg_attr(doc, doc = page_picture!("modes", "A floor of two triangles: bent by Affine, straight by Newton"))]
 #[doc = include_str!("modes.md")]
 #[cfg_attr(doc, doc = include_str!("tables.html"))]
 pub mod modes {}

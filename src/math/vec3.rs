@@ -24,6 +24,7 @@ use crate::num::rsqrt::{measure, unit};
 /// assert_eq!(Vec3::try_from([0.0, 1.5, -2.0]), Ok(eye));
 /// assert_eq!(Vec3::from([fx!(0), fx!(1.5), fx!(-2)]), eye);
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Vec3 {
     /// Increases to the right.

@@ -335,6 +335,7 @@ impl<const ELEMENTS: usize, const VERTICES: usize> DrawList<ELEMENTS, VERTICES> 
     /// # Errors
     ///
     /// The errors of [`prepare`](Self::prepare).
+    #[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
     #[allow(clippy::type_complexity)] // as above
     pub fn prepare_back_to_front<'a, S: Scene<'a>, V: AsMvp, M: Mode, Z: DepthTest, B: Copy>(
         &'a mut self,

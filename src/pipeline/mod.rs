@@ -76,6 +76,7 @@ use thing::Target;
 /// assert_eq!((drawn.drawn, drawn.culled, drawn.outside()), (0, 0, 12));
 /// # Ok::<(), Error>(())
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drawn {

@@ -63,6 +63,7 @@ use crate::sealed::Sealed;
 /// [`Rgb565`](embedded_graphics::pixelcolor::Rgb565), the share is rounded to 1/32. Rounding adds an error of at most
 /// 1/64, and halves the time to blend the surface and the fog. If another adapter comes before or after the fog, such
 /// as a light or [`dithered`](super::Shader::dithered), the share is not rounded.
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fog<C, D = LinearFog> {
     color: C,

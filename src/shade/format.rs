@@ -15,14 +15,14 @@ use crate::texture::Blend;
 /// This trait is implemented for the colors of embedded-graphics. There are three channels: red, green and blue. A gray
 /// color has three equal channels; only the first is used. Gray is the BT.601 luma of the stored values (without
 /// gamma): 0.299 red + 0.587 green + 0.114 blue, with weights rounded to 2⁻¹⁴. A *step* is a unit of a channel in the
-/// color's own format: the red of [`Rgb565`] is from 0 to 31 steps. A [`Precise`] color has channels with fraction
-/// bits.
+/// color's own format: the red of [`Rgb565`](Rgb565) is from 0 to 31 steps. A [`Precise`] color has channels with
+/// fraction bits.
 ///
-/// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`], [`Gray2`] and [`BinaryColor`] (on is
-/// white) are dithered by an 8x8 ordered matrix that is fixed to the frame. In an area of one value, the mean of the
-/// dithered pixels is within 1/128 step of that value in any tile of 8x8 pixels. In tiles whose corners are at
-/// multiples of the tile's size in the frame, the mean is within 7/128 step for 4x4 pixels, and within 31/128 step for
-/// 2x2 pixels. Black stays black, and white stays white.
+/// Colors with 5 or more bits per channel are rounded to nearest. [`Gray4`](Gray4), [`Gray2`](Gray2) and
+/// [`BinaryColor`](BinaryColor) (on is white) are dithered by an 8x8 ordered matrix that is fixed to the frame. In an
+/// area of one value, the mean of the dithered pixels is within 1/128 step of that value in any tile of 8x8 pixels. In
+/// tiles whose corners are at multiples of the tile's size in the frame, the mean is within 7/128 step for 4x4 pixels,
+/// and within 31/128 step for 2x2 pixels. Black stays black, and white stays white.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565, Rgb888}, prelude::*};
@@ -39,8 +39,8 @@ use crate::texture::Blend;
     note = "the colors of embedded-graphics have channels; for another color, implement `fixel::PixelFormat`"
 )]
 pub trait PixelFormat: PixelColor {
-    /// The channels of white, in steps: 31, 63, 31 for [`Rgb565`]. The white of a channel with n bits is 2ⁿ − 1, at
-    /// most 255.
+    /// The channels of white, in steps: 31, 63, 31 for [`Rgb565`](Rgb565). The white of a channel with n bits is 2ⁿ −
+    /// 1, at most 255.
     const MAX_STEPS: [i32; 3];
 
     /// Whether the format is so coarse that it is dithered.

@@ -172,6 +172,7 @@ impl<S: Sampler, const CLAMPED: bool, F: Copy, D: Copy> Textured<S, CLAMPED, F, 
     /// | Rgb565, [`Indexed`](crate::texture::Indexed) | 49 to 51 | 71 to 98 | | |
     /// | Rgb888 | 60 to 65 | 97 to 111 | 164 | 200 |
     /// | Gray8 | 32 to 33 | 41 to 47 | 76 | 88 |
+    #[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
     #[must_use]
     pub const fn bilinear(self) -> Textured<S, CLAMPED, Bilinear, D>
     where

@@ -63,6 +63,7 @@ pub enum Tolerance {
 /// assert_eq!(numbers, [1 << 16, 0, 65_536]);
 /// assert_eq!(Mine::join(numbers, face), corner);
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be interpolated",
     note = "varyings are `i32`, `[i32; N]` with N up to 8, `Texels`, `Within<UNITS, V>`, `PerFace<T>`, `()` or a pair of these"

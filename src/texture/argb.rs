@@ -6,9 +6,9 @@ use super::blend::{self, Blend, bilinear, blend, each, linear, mean};
 
 /// A texel of 16 bits with an opacity of 4 bits, and 4 bits each of red, green and blue.
 ///
-/// The texel's color is an [`Rgb565`]. A texel of opacity 0 changes neither the color nor the depth on the canvas. A
-/// bilinear filter blends the colors of all texels, even of those with opacity 0, so give texels of opacity 0 the
-/// colors of their neighbors.
+/// The texel's color is an [`Rgb565`](Rgb565). A texel of opacity 0 changes neither the color nor the depth on the
+/// canvas. A bilinear filter blends the colors of all texels, even of those with opacity 0, so give texels of opacity 0
+/// the colors of their neighbors.
 ///
 /// ```
 /// use fixel::texture::Argb4444;
@@ -23,7 +23,7 @@ pub struct Argb4444(u16);
 
 /// A texel of 16 bits that is either opaque or a hole: 1 bit of opacity, and 5 bits each of red, green and blue.
 ///
-/// The texel's color is an [`Rgb565`]. A hole changes neither the color nor the depth on the canvas. With a
+/// The texel's color is an [`Rgb565`](Rgb565). A hole changes neither the color nor the depth on the canvas. With a
 /// [`Bilinear`](super::Bilinear) filter, a pixel is a hole if the nearest texel is a hole. Otherwise, the filter blends
 /// the pixel as if the holes around it had the nearest texel's color.
 ///
@@ -60,8 +60,8 @@ impl Argb4444 {
         (self.0 >> 12) as u8 * 17
     }
 
-    /// The color. [`Rgb565`] has more bits per channel: one more for red and blue, two more for green. A channel's
-    /// highest bits are repeated in these low bits, so full brightness stays full brightness.
+    /// The color. [`Rgb565`](Rgb565) has more bits per channel: one more for red and blue, two more for green. A
+    /// channel's highest bits are repeated in these low bits, so full brightness stays full brightness.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Rgb565 {
@@ -97,7 +97,7 @@ impl Argb1555 {
         self.0 & 0x8000 == 0
     }
 
-    /// The color, or `None` for a hole. [`Rgb565`] has one more bit of green: green's highest bit, repeated.
+    /// The color, or `None` for a hole. [`Rgb565`](Rgb565) has one more bit of green: green's highest bit, repeated.
     #[must_use]
     #[inline]
     pub const fn color(self) -> Option<Rgb565> {

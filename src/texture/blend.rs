@@ -9,9 +9,9 @@ use embedded_graphics::pixelcolor::{
 ///
 /// Each channel is blended as it is stored, without gamma.
 ///
-/// The trait is implemented for [`Gray8`], the RGB and BGR colors of embedded-graphics, [`Argb4444`](super::Argb4444),
-/// [`Argb1555`](super::Argb1555) and [`Translucent`](crate::shade::Translucent) colors. `Gray4`, `Gray2` and
-/// `BinaryColor` have too few steps to blend: store such a texture in [`Gray8`], and let
+/// The trait is implemented for [`Gray8`](Gray8), the RGB and BGR colors of embedded-graphics,
+/// [`Argb4444`](super::Argb4444), [`Argb1555`](super::Argb1555) and [`Translucent`](crate::shade::Translucent) colors.
+/// `Gray4`, `Gray2` and `BinaryColor` have too few steps to blend: store such a texture in [`Gray8`](Gray8), and let
 /// [`converted`](crate::Shader::converted) dither the result.
 ///
 /// ```

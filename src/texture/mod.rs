@@ -11,6 +11,7 @@
 //! [`include_texture!`](crate::include_texture) turns a picture file into any of these textures at compile time. The
 //! shader [`Textured`](crate::Textured) draws all of these, and your own [`Sampler`]s. For textures that are partly
 //! transparent, use texels of [`Argb4444`], which have an opacity, or of [`Argb1555`], which may be holes.
+#![cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 
 mod addressing;
 mod argb;

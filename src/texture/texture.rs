@@ -43,6 +43,7 @@ use crate::error::{check_length, ok};
 /// | Cortex-M0+, `Newton` | 2.40 | 2.37 |
 /// | Cortex-M0+, `Fast` | 2.35 | 2.52 |
 /// <!-- end -->
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Texture<'a, C> {
     /// As many texels as the size needs, which is at least one.

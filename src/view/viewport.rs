@@ -31,6 +31,7 @@ use crate::error::{Error, check_count, ok};
 /// assert!(Viewport::new(0, 0, 0, 240).is_err());
 /// # Ok::<(), Error>(())
 /// ```
+#[cfg_attr(doc, doc = include_str!("../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viewport {

@@ -17,6 +17,9 @@ const SHADE: Rgb565 = Rgb565::new(3, 5, 6);
 /// Panels with fewer rows than this show no compass and no names.
 pub const LOW: u32 = 96;
 
+/// The rows at the frame's top that the compass takes, with its needle.
+pub const COMPASS: u32 = 16;
+
 /// The state of the viewer that the display shows.
 pub struct Status {
     /// The viewer's place on the map.
@@ -45,7 +48,7 @@ impl Status {
     }
 
     /// The compass: a strip that spans half a turn, and turns with the viewer.
-    fn compass<T: DrawTarget<Color = Rgb565>>(
+    pub(super) fn compass<T: DrawTarget<Color = Rgb565>>(
         &self,
         target: &mut T,
         size: Size,

@@ -50,6 +50,7 @@ use embedded_graphics::text::{Alignment, Text};
 use fixel::canvas::{Add, DepthBuffer, Opacity, Storage, TestOnly};
 use fixel::mesh::Bounds;
 use fixel::mode::Mode;
+use fixel::num::Subpixel;
 use fixel::prelude::*;
 use fixel::texture::Argb1555;
 
@@ -380,14 +381,17 @@ impl<M: Mode> Scene<M> {
         Ok(())
     }
 
-    /// Writes a name at a point. Nearer surfaces hide it.
+    /// Writes a name at a point below the compass. Nearer surfaces hide it.
     fn label(
         &self,
         canvas: &mut Canvas<'_, Rgb565, impl Storage<Rgb565>, impl DepthBuffer>,
         name: &str,
         point: Vec3,
     ) {
-        if let Some(at) = canvas.viewport().project(point, &self.view) {
+        // The compass would cover a higher name.
+        let top = Subpixel::from_bits(((hud::COMPASS + FONT_6X10.baseline) as i32) << 8);
+        let at = canvas.viewport().project(point, &self.view);
+        if let Some(at) = at.filter(|at| at.y >= top) {
             for (offset, color) in [(1, Rgb565::BLACK), (0, Rgb565::new(31, 58, 24))] {
                 let style = MonoTextStyle::new(&FONT_6X10, color);
                 let text = Text::with_alignment(
@@ -404,6 +408,8 @@ impl<M: Mode> Scene<M> {
 
 #[cfg(test)]
 mod tests {
+    use embedded_graphics::geometry::Size;
+
     use super::*;
 
     /// Whether the water mirrors some of the points in a box to an eye inside the pond's edges.
@@ -420,6 +426,44 @@ mod tests {
             let meets = [x + (px - x) * s, z + (pz - z) * s];
             meets.iter().all(|at| pond[0] < *at && *at < pond[1])
         })
+    }
+
+    /// The rows in which something is drawn, of 240.
+    fn rows(draw: impl FnOnce(&mut Canvas<'_, Rgb565>)) -> Vec<usize> {
+        let mut pixels = [Rgb565::BLACK; 320 * 240];
+        draw(&mut Canvas::new(&mut pixels, 320, 240).unwrap());
+        let rows = pixels.chunks(320).enumerate();
+        let drawn = rows.filter(|(_, row)| row.iter().any(|&color| color != Rgb565::BLACK));
+        drawn.map(|(at, _)| at).collect()
+    }
+
+    #[test]
+    fn names_are_below_the_compass() {
+        let size = Size::new(320, 240);
+        let status = hud::Status {
+            place: Vec3::ZERO,
+            heading: deg!(40),
+            gauges: [0; 2],
+        };
+        let compass = rows(|canvas| status.compass(canvas, size).unwrap());
+        let projection = Projection::perspective(deg!(58), (320, 240), fx!(0.15), fx!(60)).unwrap();
+        let scene = Scene {
+            eye: Vec3::ZERO,
+            view: projection * Camera::default(),
+            options: DrawOptions::new(),
+            turn: deg!(0),
+        };
+        // From above the frame to the middle of its height.
+        let mut first = None;
+        for step in (0..=500).rev() {
+            let point = vec3!(0, 0, -3) + Vec3::Y * Scalar::from_bits(step << 9);
+            if let Some(&top) = rows(|canvas| scene.label(canvas, "The Inn", point)).first() {
+                assert!(top > *compass.last().unwrap(), "{top}");
+                first.get_or_insert(top);
+            }
+        }
+        // Between them is only the empty row at the top of the font's cells.
+        assert_eq!(first, Some(compass.last().unwrap() + 2));
     }
 
     #[test]

@@ -6,8 +6,6 @@
 //! | file | contents |
 //! |---|---|
 //! | trade.csv, trade.md | a row for each scene and mode: texel errors, and instructions on Cortex-M |
-//! | trade.png | the errors and costs of the floor and the cube, and what the floor looks like: README's picture |
-//! | trade-dark.png | the same for a dark page |
 //!
 //! A texel error is the larger of the errors of column and row, on a texture of 256x256, whatever the scene's shader
 //! is. The instructions are from tests/instructions.csv: `.ci/firmware --renew` counts them.
@@ -17,7 +15,6 @@
 #![allow(clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 mod measure;
-mod picture;
 mod planes;
 mod poses;
 #[allow(dead_code)] // what programs that draw these scenes need
@@ -27,7 +24,7 @@ mod table;
 
 use std::error::Error;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -38,18 +35,13 @@ use table::Table;
 type Result<T, E = Box<dyn Error>> = std::result::Result<T, E>;
 
 /// Measures the error of every interpolation mode against a model in f64, and shows it beside the mode's cost on a
-/// Cortex-M. Writes trade.csv, trade.md, trade.png and trade-dark.png to target/trade/.
+/// Cortex-M. Writes trade.csv and trade.md to target/trade/.
 #[derive(Debug, Parser)]
 #[command(name = "trade", version, max_term_width = 100)]
 struct Args {
     /// Fewer planes: 20 in each set instead of 400.
     #[arg(long)]
     quick: bool,
-
-    /// Only draw the picture, and measure only what it shows. Its variant for dark pages is saved beside it, as
-    /// NAME-dark.png.
-    #[arg(long, value_name = "PNG")]
-    picture: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
@@ -66,9 +58,6 @@ fn run(args: &Args) -> Result<()> {
     let mut table = Table::new()?;
     table.add(&poses::floor()?);
     table.add(&poses::cube()?);
-    if let Some(path) = &args.picture {
-        return save(path, &table);
-    }
     table.add(&poses::sphere()?);
     table.add(&planes::wall()?);
     for scene in planes::sets(if args.quick { 20 } else { 400 }) {
@@ -79,15 +68,6 @@ fn run(args: &Args) -> Result<()> {
     fs::create_dir_all(folder)?;
     fs::write(folder.join("trade.csv"), table.csv())?;
     fs::write(folder.join("trade.md"), table.markdown())?;
-    save(&folder.join("trade.png"), &table)?;
     println!("{}\nsaved in {}", table.markdown(), folder.display());
     Ok(())
-}
-
-/// Saves the picture, and beside it the picture for dark pages.
-fn save(path: &Path, table: &Table) -> Result<()> {
-    picture::save(path, &table.rows, &picture::LIGHT)?;
-    let mut name = path.file_stem().unwrap_or_default().to_owned();
-    name.push("-dark.png");
-    picture::save(&path.with_file_name(name), &table.rows, &picture::DARK)
 }

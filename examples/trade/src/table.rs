@@ -12,33 +12,19 @@ const COUNTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/instructi
 const TARGETS: [&str; 2] = ["thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
 /// A scene in a mode.
-pub struct Row {
-    pub scene: &'static str,
-    pub mode: &'static str,
+struct Row {
+    scene: &'static str,
+    mode: &'static str,
     /// The largest error, in texels.
-    pub max: f64,
+    max: f64,
     mean: f64,
     /// Instructions of a frame on each of the [`TARGETS`]; `None` if the scene is not drawn there.
     costs: [Option<f64>; 2],
 }
 
-impl Row {
-    /// Whether the instructions of a frame are known.
-    pub fn is_counted(&self) -> bool {
-        self.costs.iter().all(Option::is_some)
-    }
-
-    /// Millions of instructions of a frame on a Cortex-M4.
-    pub fn cost(&self) -> Result<f64> {
-        let Self { scene, mode, .. } = self;
-        let count = self.costs[0].ok_or_else(|| format!("{COUNTS} lacks {scene} in {mode}"))?;
-        Ok(count / 1e6)
-    }
-}
-
 /// All rows, and the counts of instructions that the project keeps.
 pub struct Table {
-    pub rows: Vec<Row>,
+    rows: Vec<Row>,
     /// The number in the last column of tests/instructions.csv, by the text of the columns before it.
     counts: HashMap<String, f64>,
 }
@@ -110,7 +96,7 @@ impl Table {
 }
 
 /// Formats a number with this many significant digits, or with all digits of a larger integer, without an exponent.
-pub fn digits(value: f64, significant: i32) -> String {
+fn digits(value: f64, significant: i32) -> String {
     if value == 0. {
         return "0".into();
     }

@@ -84,3 +84,4 @@
 //! in `accuracy/clipped_values.rs`. Unit tests: shared edges in `src/pipeline/clip.rs`.
 //!
 //! Next page: [Lines](crate::guide::mathematics::lines#lines).
+#![cfg_attr(doc, doc = include_str!("../tables.html"))]

@@ -86,3 +86,4 @@
 //!
 //! Unit tests: exact reciprocals in `src/num/reciprocal.rs`, a Newton step in `src/num/wide/divide.rs`, pieces in
 //! `src/span/pieces.rs`. All modes are compared with a model in `f64` in `accuracy/promises.rs`.
+#![cfg_attr(doc, doc = include_str!("../tables.html"))]

@@ -136,3 +136,4 @@
 //! Tests: `accuracy/formulas/light.rs`; all lights on whole meshes in `accuracy/lights.rs`.
 //!
 //! Next page: [An attribute](crate::guide::mathematics::pixels#an-attribute).
+#![cfg_attr(doc, doc = include_str!("../tables.html"))]

@@ -157,3 +157,4 @@
 //! Tests: `accuracy/formulas/pixel.rs`; pictures with mipmaps in `accuracy/mipmap.rs`.
 //!
 //! Next page: [Fixed point](crate::guide::mathematics::fixed_point#fixed-point).
+#![cfg_attr(doc, doc = include_str!("../tables.html"))]

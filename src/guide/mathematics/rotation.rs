@@ -156,3 +156,4 @@
 //! Tests: `accuracy/formulas/time.rs`.
 //!
 //! Next page: [A camera](crate::guide::mathematics::camera#a-camera).
+#![cfg_attr(doc, doc = include_str!("../tables.html"))]

@@ -43,6 +43,7 @@ use writer::MeshWriter;
 /// assert_eq!(ball.positions(), BALL.positions());
 /// # Ok::<(), Error>(())
 /// ```
+#[cfg_attr(doc, doc = include_str!("../../guide/tables.html"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape<'p> {
     surface: Surface<'p>,

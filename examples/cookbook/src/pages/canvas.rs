@@ -2,8 +2,10 @@
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{Drawable, text::Text};
 use fixel::Window;
 use fixel::canvas::{Add, Blending, Multiply, Opacity, Replace, TestOnly};
 use fixel::mode::Affine;
@@ -122,6 +124,9 @@ pub(super) fn modes(canvas: &mut Frame<'_>) -> Drawn {
     let floor = Textured::new(&CHECKERS);
     canvas.draw_with(&part(0)?.with_mode(Affine), &SHEET, &mvp, &floor);
     canvas.draw_with(&part(half.cast_signed() + 2)?, &SHEET, &mvp, &floor);
+    let white = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
+    Text::new("Affine", Point::new(4, 12), white).draw(canvas)?;
+    Text::new("Newton", Point::new(half.cast_signed() + 6, 12), white).draw(canvas)?;
     Ok(())
 }
 
