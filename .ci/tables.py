@@ -428,8 +428,8 @@ def claims(instructions, other):
     yield modes, "[takes at least twice the instructions]", min(ratios("s", M4, "newton") + compact_m0) >= 1.95
     yield modes, "The mean error of `Fast` on the cube, about a hundredth of a texel", (
         0.005 <= other["cube fast error mean"] < 0.015)
-    yield (firmware, "take a quarter more instructions in bands of 16 rows than in a whole frame, and a twelfth more if "
-           "they are prepared", round(4 * (cube[1] / cube[0] - 1)) == 1 and round(12 * (cube[2] / cube[0] - 1)) == 1)
+    yield (firmware, "take a quarter more instructions in bands of 16 rows than in a whole frame, but only a twelfth more "
+           "if they are prepared", round(4 * (cube[1] / cube[0] - 1)) == 1 and round(12 * (cube[2] / cube[0] - 1)) == 1)
     rates = [whole(rate) for scene in ["model lighthouse", "world world"]
              for rate in [125e6 / other[f"pico_{scene} cycles"], 1e6 / other[f"pico2_{scene} us"]]]
     flash = "examples/boards/flash.md"

@@ -223,8 +223,7 @@ pub struct Biased<Z = super::TestAndWrite> {
     pub test: Z,
     /// How far depths move toward the eye, in units of the stored depth. A negative number moves depths away.
     pub steps: i32,
-    /// A further move toward the eye, for sloping surfaces: a multiple of the depth difference between neighboring
-    /// pixels.
+    /// A further move toward the eye, for sloping surfaces, in depth differences between neighboring pixels.
     pub slope: Scalar,
 }
 

@@ -324,7 +324,7 @@ impl Corner<'_> {
         })
     }
 
-    /// The position in world space, where lights are, rounded to nearest; it saturates to the range of [`Scalar`].
+    /// The position in world space (where lights are), rounded to nearest and saturated to the range of [`Scalar`].
     #[must_use]
     #[inline]
     pub fn world_position(&self) -> Vec3 {

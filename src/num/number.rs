@@ -259,7 +259,7 @@ number! {
 }
 
 number! {
-    /// Screen coordinates: signed, 24 integer and 8 fraction bits of a pixel.
+    /// Screen coordinates in pixels: signed, 24 integer and 8 fraction bits.
     ///
     /// From the top left corner of the frame, x increases to the right, and y increases downward. The center of a pixel
     /// has the fraction 1/2, so [`floor`](Self::floor) returns the pixel's column or row.

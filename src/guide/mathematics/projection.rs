@@ -51,7 +51,7 @@
 //! of the eye.
 //!
 //! The visible part of the near plane is a window, from *l* to *r* in x and from *b* to *t* in y. In normalized device
-//! coordinates (ndc), the window reaches from −1 to 1 along both axes. The image above is *x*′ = *nx*/*w*, so *nx* =
+//! coordinates (ndc), the window reaches from −1 to 1 along both axes. A point's image is *x*′ = *nx*/*w*, so *nx* =
 //! *wx*′. This gives:
 //!
 #![doc = formula!(

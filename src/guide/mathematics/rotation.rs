@@ -110,10 +110,10 @@
 //!
 //! A product of quaternions takes 16 multiplications, and a product of matrices takes 27. To turn many points, make the
 //! matrix first: a point then takes 9 multiplications. Rounding makes a quaternion longer or shorter, and a division by
-//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) makes its matrix from the quaternion (|*a*|
-//! *c*, *s* *a*), so the axis *a* may have any length. It does not scale the axis to length one, because the rounded
-//! axis would stretch a model. If a matrix is multiplied by turns again and again, rounding makes its columns lose
-//! their right angles; [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
+//! its length repairs it. [`Transform::rotate`](crate::Transform::rotate) makes its matrix from |*a*| *q* = (|*a*| *c*,
+//! *s* *a*), so the axis *a* may have any length. It does not scale the axis to length one, because the rounded axis
+//! would stretch a model. If a matrix is multiplied by turns again and again, rounding makes its columns lose their
+//! right angles; [`Transform::renormalized`](crate::Transform::renormalized) repairs them.
 //!
 //! Tests: `accuracy/formulas/rotation.rs`.
 //!

@@ -292,8 +292,8 @@ impl<'a, T, G: Listed, O, K> Prepared<'a, T, G, O, K> {
     }
 
     /// The parts of the list to draw in a canvas's rows, in drawing order, each with its object's material. In a sorted
-    /// list, a part holds consecutive triangles or edges of one object; otherwise, a part is a whole object. A part
-    /// that has no pixels in these rows may be left out.
+    /// list, a part holds consecutive triangles or edges of one object; otherwise, a part is a whole object. Parts
+    /// without pixels in these rows may be missing.
     ///
     /// # Errors
     ///
