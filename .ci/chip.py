@@ -121,7 +121,7 @@ class Chip:
     """A core, its memory, and registers that keep what is written to them, unless a subclass does more.
 
     A subclass has the core's registers STACK and PC, the clocks CLOCK_HZ and BUS_HZ, `length` of an instruction, and
-    `resume`.
+    `resume`, which `run` calls.
     """
 
     instructions = 0  # that were executed

@@ -8,7 +8,7 @@ with the stack of each core that runs. The instructions of a frame are the time 
 both. With --slow, a core takes three times as long, so that the cores finish their bands in another order. With --panic,
 frames are on their way when a core reads another number of its own than 0 and 1, once, which rp235x-hal answers with a
 panic. Then writes what the display shows, and prints the times in ms for which the LED is on, off, on, ... until a
-pause, and the stack of each core.
+pause, and the stack of core 0.
 
 Registers have the addresses of the RP2350's data sheet. Core 0 begins where the chip's boot ROM would jump to, if the
 program has the block that the boot ROM looks for. Each core has its own time, counted in instructions, and the one that
@@ -433,6 +433,6 @@ if __name__ == "__main__":
         chip.display.execute()
         chip.display.write(options.picture)
         times = (round(after - before) for before, after in zip(chip.blinks, chip.blinks[1:]))
-        print(*itertools.takewhile(lambda time: time <= PAUSE_MS, times), *chip.stacks())
+        print(*itertools.takewhile(lambda time: time <= PAUSE_MS, times), chip.stacks()[0])
     else:
         chip.report(options.picture)

@@ -49,7 +49,7 @@ impl<C: PixelFormat, O: Storage<C>, D: DepthBuffer> Canvas<'_, C, O, D> {
     /// A pixel can be mixed only with a neighbor in memory, so edges may stay jagged at the borders of the viewport,
     /// and in the top and bottom row of a [band](Self::band). To prevent this in bands, let each band reach one row
     /// further up and down than the rows that are shown. With a depth buffer, bands then have the same bits as the
-    /// whole frame. Each call finds the outline anew; to find it only once for all bands of a frame, use
+    /// whole frame. Each call searches the mesh for the outline. To do this only once for all bands of a frame, use
     /// [`smooth_prepared`](Self::smooth_prepared).
     ///
     /// ```
