@@ -293,10 +293,10 @@ def names(instructions, other):
                                   other[f"{scene} {mode} error max"]) for mode in labels}
             mark = f'stroke="{color}" stroke-width="11" stroke-linecap="{cap}"'
             yield f'<path d="M{"L".join(points.values())}" fill="none" stroke="{color}" stroke-opacity=".6"/>'
-            for mode, (right, down, anchor) in labels.items():
+            for mode, (across, down, anchor) in labels.items():
                 x, at = map(float, points[mode].split())
                 yield f'<path d="M{points[mode]}h0" {mark}/>'
-                yield text(x + right, at + down, words.get(f"{scene} {mode}", mode.capitalize()), anchor)
+                yield text(x + across, at + down, words.get(f"{scene} {mode}", mode.capitalize()), anchor)
             yield f'<path d="M292 {y - 4}h0" {mark}/>' + text(304, y, name, "start")
 
     def rate(what):
